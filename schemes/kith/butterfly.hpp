@@ -11,9 +11,9 @@
 
 namespace kith {
 
-/// Modified Butterfly: triangles, interpolating. Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996, section
-/// 3. An end of an edge is irregular if it lies inside and has not six neighbours. Boundary: the four-point curve;
-/// wings beyond it are reflected. C1. Cost: O(corners), those of large fans times their logarithm.
+/// The modified Butterfly scheme: interpolating, for triangles. Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens
+/// 1996, section 3. An end of an edge is irregular if it is an inner vertex whose valence is not 6. Boundary: the
+/// four-point curve; wings beyond it are reflected. C1. Cost: O(corners); the n corners of large fans cost O(n log n).
 struct butterfly {
     static constexpr auto traits()
     {
@@ -26,10 +26,10 @@ struct butterfly {
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 
-    /// The weights of the neighbours of an irregular vertex of valence n by the angle from the other end of the edge:
-    /// (1/4 + cos t + 1/2 cos 2t)/n for n >= 5. ZSS 1996.
+    /// Returns the weights of the neighbours of an irregular vertex of valence n >= 5 by the angle from the other end
+    /// of the edge: (1/4 + cos t + 1/2 cos 2t)/n. ZSS 1996.
     static constexpr wave_kernel ring_kernel(std::size_t) { return {1. / 4, 1. / 2, 1. / 4}; }
-    /// The weights from the other end of the edge on.
+    /// Returns the weights of the n neighbours of an irregular vertex, beginning with the other end of the edge.
     static std::vector<double> ring_weights(std::size_t n)
     {
         if (n == 3)
@@ -53,8 +53,8 @@ struct butterfly {
                 assoc(e, V) = 9. / 16 * (x + y) + -1. / 16 * (x.last_rim() + y.first_rim());
                 return;
             }
-            const auto l = e.lcorner(); // of x
-            const auto r = e.rcorner(); // of y
+            const auto l = e.lcorner(); // the corner of x
+            const auto r = e.rcorner(); // the corner of y
             const auto around = [&](auto c) { return 3. / 4 * c.v() + rings.sum_from_edge(c); };
             if (rings.is_regular(x) and rings.is_regular(y))
                 assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +
@@ -70,7 +70,8 @@ struct butterfly {
     }
 
 private:
-    /// The vertex across the next edge of c; beyond the boundary the reflection of the triangle's own third vertex.
+    /// Returns the vertex across the next edge of c or, at the boundary, the reflection of the triangle's own third
+    /// vertex.
     template <corner_element Corner>
     static auto wing(const Corner& c)
     {

@@ -8,14 +8,14 @@
 
 namespace kith {
 
-/// Catmull-Clark: uniform bicubic B-splines for polygon meshes of any kind. After one step all faces are quads.
-/// Catmull & Clark 1978; v-mask as DeRose, Kass & Truong 1998 write it, with e the old neighbours (the thesis, 2.1.1,
-/// adds the new e-points instead, which is not Catmull-Clark; docs/schemes.md). Boundary: uniform cubic B-spline.
+/// Catmull-Clark: uniform bicubic B-splines for polygon meshes of any kind. After one step all faces are quads. Catmull
+/// & Clark 1978; the vertex mask is that of DeRose, Kass & Truong 1998, with e the old neighbours. (The thesis, 2.1.1,
+/// adds the new edge points instead, which is not Catmull-Clark; docs/schemes.md.) Boundary: uniform cubic B-spline.
 /// C2, at extraordinary vertices C1. Cost: O(corners).
 struct catmull_clark {
     boundary_corner corners = boundary_corner::kept;
     boundary_curve boundary = boundary_curve::cubic;
-    creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
+    creases sharpness{}; ///< of this level's edges and vertices; each step computes those of the next level
     friend bool operator==(const catmull_clark&, const catmull_clark&) = default;
 
     static constexpr auto traits()

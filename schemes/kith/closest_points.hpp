@@ -27,14 +27,14 @@ struct closest_point {
     double distance;
 };
 
-/// Finds the nearest points of a limit surface. Each result is the nearest point of the whole surface: the search
-/// leaves out a part of the surface only if a bound by Bezier or control points proves that no point of it is nearer.
-/// The point is exact to about 1e-11 of the size of the surface, the distance to 1e-12. If several points are equally
-/// near, it is one of them.
+/// A search for the nearest points of a limit surface. Each result is the nearest point of the whole surface. The
+/// search skips a part of the surface only if a bound by Bezier or control points proves that none of its points is
+/// nearer. The point is exact to about 1e-11 of the size of the surface, the distance to 1e-12. If several points are
+/// equally near, the result is one of them.
 ///
-/// Takes points of three coordinates, and schemes that are splines among regular faces and have no negative weights:
-/// Catmull-Clark, Loop and the linear ones, with all creases; Doo-Sabin, mid-edge, 4-8 and unified on closed meshes;
-/// Nasri-Hasbini on quads. One thread at a time may use an object.
+/// The search takes points of three coordinates, and schemes that are splines among regular faces and have no negative
+/// weights. These are Catmull-Clark, Loop and the linear schemes, with all creases; Doo-Sabin, mid-edge, 4-8 and
+/// unified on closed meshes; Nasri-Hasbini on quads. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class closest_points {
     using vector = std::array<double, 3>;
@@ -55,9 +55,9 @@ public:
     {
     }
 
-    /// Returns the nearest point for each of some points. It searches on threads; the results are the same bits on any
-    /// number of them. Errors: mesh_error for a point that is not finite, and for schemes that are no splines.
-    /// Cost: for each point O(log faces) and, as a rule, some dozen cuts of polynomials. It is more where many points
+    /// Returns the nearest point for each of some points. The search runs on threads; the results are the same bits for
+    /// any number of threads. Errors: mesh_error for a point that is not finite, and for schemes that are no splines.
+    /// Cost: for each point O(log faces) and usually a few dozen subdivisions of polynomials. It is more if many points
     /// of the surface are nearly as near as the nearest one.
     [[nodiscard]] std::vector<closest_point> of(std::span<const vector> points)
     {

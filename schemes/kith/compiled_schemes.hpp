@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// All schemes, for programs that link kith::compiled_schemes and so need not compile their steps.
+/// The schemes of the library, for programs that link kith::compiled_schemes. They need not compile the steps.
 
 #include "butterfly.hpp"
 #include "catmull_clark.hpp"
@@ -32,7 +32,7 @@ using tuple_of_schemes = decltype(std::tuple_cat(KITH_SCHEMES(KITH_AS_TUPLE) std
 
 } // namespace detail
 
-/// All schemes of the library: std::tuple<catmull_clark, ...>.
+/// The tuple of all schemes of the library: std::tuple<catmull_clark, ...>.
 using all_schemes = detail::tuple_of_schemes;
 
 /// The paper that a scheme of the library comes from.

@@ -9,14 +9,14 @@
 
 namespace kith {
 
-/// What becomes of the corners of faces at the boundary.
+/// The rule for the corners of faces at the boundary.
 enum class doo_sabin_boundary : unsigned char {
     thesis,  ///< 3/4, 1/4 along the boundary (thesis 2.1.2); corners stay
-    clamped, ///< tensor product of the clamped quadratic B-spline; the thesis's in faces that are no quads
+    clamped, ///< tensor product of the clamped quadratic B-spline; `thesis` in faces that are not quads
     drop     ///< no rule: the surface recedes, as in CGAL
 };
 
-/// The weights of the corners of a face in the point of one of them.
+/// The weights of the corners of a face in the new point of one of these corners.
 enum class doo_sabin_weights : unsigned char {
     cosine,   ///< Doo & Sabin 1978
     averaging ///< Catmull & Clark 1978, their biquadratic variant; differs on faces that are not quads
@@ -30,8 +30,8 @@ struct doo_sabin {
 
     friend bool operator==(const doo_sabin&, const doo_sabin&) = default;
 
-    /// Reach: a point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of
-    /// them.
+    /// Returns the traits. Reach: a point reads its own face only; its boundary rule also asks whether two of the
+    /// face's edges, or all of them, are boundary edges.
     static constexpr auto traits()
     {
         return scheme_traits{.name = "doo-sabin",
@@ -51,18 +51,19 @@ struct doo_sabin {
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }
 
-    /// The weights of the corners of a face: (3 + 2 cos t)/4n by the angle and 1/4 more for the corner itself, or 1/4n
-    /// and 1/2 more for the corner, 1/8 for those next to it.
+    /// Returns the weights of the corners of a face. Cosine weights are (3 + 2 cos t)/4n by the angle, and 1/4 more for
+    /// the corner itself. Averaging weights are 1/4n, and 1/2 more for the corner itself and 1/8 more for the two next
+    /// to it.
     [[nodiscard]] constexpr face_kernel kernel() const
     {
         return weights == doo_sabin_weights::cosine ? face_kernel{{3. / 4, 1. / 4, 0}, 1. / 4, 0}
                                                     : face_kernel{{1. / 4, 0, 0}, 1. / 2, 1. / 8};
     }
-    /// The weight of the j-th corner of a face of degree n, counted from the corner that the point belongs to.
+    /// Returns the weight of the j-th corner of a face of degree n, counted from the corner that the point belongs to.
     [[nodiscard]] constexpr double weight(std::size_t j, std::size_t n) const
     {
         if (j == 0 and weights == doo_sabin_weights::cosine)
-            return (double(n) + 5) / (4 * double(n)); // as in the paper: the kernel's, rounded once only
+            return (double(n) + 5) / (4 * double(n)); // as in the paper: the value of the kernel, rounded only once
         return kernel().at(j, n);
     }
 

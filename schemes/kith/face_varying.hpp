@@ -21,7 +21,8 @@ namespace detail {
 template <class Scheme>
 concept is_linear = std::derived_from<Scheme, linear> or std::derived_from<Scheme, linear_triangles>;
 
-/// The seams of values at corners have rules where each new face lies in an old one, and points go by creases.
+/// Requirements of a scheme with rules for the seams of values at corners: each new face lies in an old one, and points
+/// follow sharp_rules.
 template <class Scheme>
 concept has_seam_rules = scheme_with_sharp_rules<Scheme> and requires(const Scheme& scheme) {
     requires std::same_as<decltype(columns_of(scheme, 0)), decltype(quad_split::columns())> or
@@ -31,12 +32,12 @@ concept has_seam_rules = scheme_with_sharp_rules<Scheme> and requires(const Sche
 } // namespace detail
 
 /// The rule of values at corners that are as smooth as the surface between their seams: on_corners(uv,
-/// face_varying{linear}), for Catmull-Clark and Loop with their creases. A seam is an edge on whose sides faces say
-/// different things at one of its ends; where they do is looked at once, in the first step, by ==. `linear` says what
-/// stays linear at seams; face_varying_linear::all is linear_in_faces, as every choice is for the linear schemes, and
-/// goes with any scheme. OpenSubdiv's face-varying interpolation, DeRose, Kass & Truong 1998, section 4;
-/// docs/schemes.md. At all corners of one new vertex between the same seams the values have the same bits. Errors:
-/// mesh_error for another scheme. Cost: that of the step without its connectivity, O(corners).
+/// face_varying{linear}). It is for Catmull-Clark and Loop with their creases. A seam is an edge whose two faces have
+/// different values at one of its ends. Seams are found once, in the first step, by ==. `linear` says where values stay
+/// linear at seams. face_varying_linear::all is linear_in_faces and goes with any scheme; for the linear schemes every
+/// choice is. At all corners of one new vertex between the same seams the values have the same bits. Source:
+/// OpenSubdiv's face-varying interpolation, DeRose, Kass & Truong 1998, section 4; docs/schemes.md. Errors: mesh_error
+/// for another scheme. Cost: that of the step without its connectivity, O(corners).
 struct face_varying {
     using mark_type = corner_mark;
 

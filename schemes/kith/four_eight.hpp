@@ -11,10 +11,11 @@
 namespace kith {
 
 /// 4-8: the four-directional box spline by bisection, twice the triangles per step. Velho & Zorin 2001; the masks are
-/// those of the box spline of degree six (docs/schemes.md). C4, at extraordinary vertices C1. Takes a tri-quad mesh,
-/// which `tri_quad` makes of any mesh. Cost: O(corners).
+/// those of the box spline of degree six (docs/schemes.md). C4, at extraordinary vertices C1. The scheme takes a
+/// tri-quad mesh, which `tri_quad` makes from any mesh. Cost: O(corners).
 struct four_eight {
-    /// Reach: along unmarked edges a step makes no ring thinner; two steps halve all edges, docs/distributed.md.
+    /// Returns the traits. Reach: one step makes no ring thinner along unmarked edges; two steps halve all edges,
+    /// docs/distributed.md.
     static constexpr auto traits()
     {
         return scheme_traits{.name = "4-8",
@@ -57,7 +58,8 @@ struct four_eight {
         subdivide(bisection_split(), r, midpoints, vertices);
     }
 
-    /// The sides at v of the quads that pairs of triangles make, each as the corner of v in the quad to its left.
+    /// Returns the edges at v that are sides of the quads made of pairs of triangles. Each is given as the corner of v
+    /// in the quad to its left.
     template <vertex_element Vertex>
     static auto sides(const Vertex& v)
     {

@@ -14,9 +14,9 @@
 
 namespace kith {
 
-/// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik &
-/// Greiner 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners), those of large
-/// fans times their logarithm.
+/// Interpolatory sqrt(3): for closed meshes of triangles, three times as many per step, and no point moves. Labsik &
+/// Greiner 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners); the n corners of
+/// large fans cost O(n log n).
 struct interpolatory_sqrt3 {
     static constexpr auto traits()
     {
@@ -29,14 +29,14 @@ struct interpolatory_sqrt3 {
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
-    /// The weights of the neighbours of a vertex of valence n by the angle from the middle of the face that the new
-    /// point is in, for n >= 5; the vertex itself has the rest. Labsik & Greiner 2000, section 3.
+    /// Returns the weights of the neighbours of a vertex of valence n >= 5. They depend on the angle from the middle of
+    /// the face that contains the new point. The vertex itself has the rest. Labsik & Greiner 2000, section 3.
     static constexpr wave_kernel ring_kernel(std::size_t n)
     {
         const double a = 2. / 3 * exact_cos(1, 2 * std::int64_t(n));
         return {a * a, a, a * a};
     }
-    /// The weights counter-clockwise from the face.
+    /// Returns the weights of the n neighbours, counter-clockwise from the face.
     static std::vector<double> ring_weights(std::size_t n)
     {
         if (n == 3)
@@ -45,7 +45,7 @@ struct interpolatory_sqrt3 {
             return {2. / 9, -1. / 9, -1. / 9, 2. / 9};
         return ring_kernel(n).row(1, n);
     }
-    /// The weight of the vertex itself: one minus those of its neighbours.
+    /// Returns the weight of the vertex itself: one minus those of its neighbours.
     static constexpr double center_weight(std::size_t n)
     {
         return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - ring_kernel(n).x0;

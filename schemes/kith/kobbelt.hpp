@@ -12,11 +12,12 @@
 
 namespace kith {
 
-/// Kobbelt's interpolating scheme for quads: the four-point scheme in both directions. Kobbelt 1996. C1.
-/// Every new point is the four-point rule along a line of the mesh; where no line goes on beyond a vertex, a virtual
-/// point does. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points: the default makes
-/// the two directions of a face at such a vertex agree (docs/schemes.md). Boundary: four-point curve, corners kept.
-/// Errors: mesh_error for a tension outside its range. Cost: O(corners), those of large fans times their logarithm.
+/// Kobbelt's interpolating scheme for quads: the four-point scheme in both directions. Kobbelt 1996. C1. Every new
+/// point follows the four-point rule along a line of the mesh. If no line goes on beyond a vertex, a virtual point
+/// replaces the missing one. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points. With
+/// the default the two directions of a face at such a vertex agree (docs/schemes.md). Boundary: four-point curve,
+/// corners kept. Errors: mesh_error for a tension outside its range. Cost: O(corners); the n corners of large fans cost
+/// O(n log n).
 struct kobbelt {
     double tension = 1; ///< w, 0 < w < max_tension
     double gamma = tension / (8 + tension);
@@ -34,7 +35,7 @@ struct kobbelt {
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
-    /// Errors: mesh_error for weights with which no step can be made.
+    /// Throws mesh_error for weights with which no step can be made.
     void require_weights() const
     {
         if (not(tension > 0 and tension < max_tension)) // NaN is neither

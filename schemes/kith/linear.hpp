@@ -7,7 +7,7 @@
 
 namespace kith {
 
-/// The linear split of polygons: midpoints and centroids, nothing moves. After one step all faces are quads. C0.
+/// The linear split of polygons: midpoints and centroids; no vertex moves. After one step all faces are quads. C0.
 /// Cost: O(corners).
 struct linear {
     static constexpr auto traits()

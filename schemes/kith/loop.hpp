@@ -19,10 +19,10 @@ enum class loop_weights : unsigned char { loop, warren }; ///< Loop 1987; Warren
 struct loop {
     loop_weights weights = loop_weights::loop;
     boundary_corner corners = boundary_corner::kept;
-    creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
+    creases sharpness{}; ///< of this level's edges and vertices; each step computes those of the next level
     friend bool operator==(const loop&, const loop&) = default;
 
-    /// The weight of each neighbour of a vertex of valence n.
+    /// Returns the weight of each neighbour of a vertex of valence n.
     [[nodiscard]] constexpr double beta(std::size_t n) const
     {
         const double c = 3. / 8 + exact_cos(1, long(n)) / 4;

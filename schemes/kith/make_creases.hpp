@@ -19,8 +19,8 @@ namespace kith {
 
 namespace detail {
 
-/// What a function, a property map (`get(map, handle)`) or an array by handles says of an element, which has this
-/// number in its mesh.
+/// Returns the sharpness of an element from a function, a property map (`get(map, handle)`) or an array by handles.
+/// `number` is the number of the element in its mesh, for messages.
 template <class Source, class Handle>
 double sharpness_from(const Source& source, const Handle& x, std::size_t number, const char* kind)
 {
@@ -41,8 +41,8 @@ double sharpness_from(const Source& source, const Handle& x, std::size_t number,
 
 } // namespace detail
 
-/// The creases of a mesh from what its user knows of them: of edges and of vertices each a function of the mesh's
-/// handles, a property map over them, such as CGAL's edge_is_constrained_map, or anything that takes them in brackets.
+/// Returns the creases of a mesh from the user's sharpness of edges and vertices. Each source is a function of the
+/// mesh's handles, a property map over them (CGAL's edge_is_constrained_map), or an object that takes them in brackets.
 /// Numbers are sharpness; `true` and the largest number of an integer type stand for infinitely_sharp. Errors:
 /// mesh_error for a sharpness below 0 or NaN, and for a mesh without edges. Cost: O(elements).
 template <mesh M, class EdgeSharpness, class VertexSharpness>
@@ -61,14 +61,14 @@ creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const V
         result.sharpen_vertex(v.index(), sharpness_of(vertex_sharpness, v, "vertex"));
     return result;
 }
-/// The same without sharp vertices.
+/// Returns the same creases without sharp vertices.
 template <mesh M, class EdgeSharpness>
 creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, crease_method method = crease_method::uniform)
 {
     return make_creases(mesh, edge_sharpness, [](const auto&) { return 0.; }, method);
 }
 
-/// A mesh whose edges and vertices have status bits, one of which marks features: OpenMesh.
+/// Requirements of a mesh whose edges and vertices have status bits, one of which marks features: OpenMesh.
 template <class M>
 concept mesh_with_features = mesh<M> and
                              requires(const M& m, typename mesh_traits<M>::edge e, typename mesh_traits<M>::vertex v) {
@@ -78,8 +78,8 @@ concept mesh_with_features = mesh<M> and
                                  { m.status(v).feature() } -> std::convertible_to<bool>;
                              };
 
-/// Creases and corners where the mesh's status bits mark features, all of one sharpness.
-/// Errors: mesh_error when neither edges nor vertices have a status. Cost: O(elements).
+/// Returns creases and corners, all of one sharpness, where the mesh's status bits mark features. Errors: mesh_error if
+/// neither edges nor vertices have a status. Cost: O(elements).
 template <mesh_with_features M>
 creases creases_from_features(const M& mesh, double sharpness = infinitely_sharp,
                               crease_method method = crease_method::uniform)
@@ -95,9 +95,8 @@ creases creases_from_features(const M& mesh, double sharpness = infinitely_sharp
         method);
 }
 
-/// Makes every inner edge sharp at which the normals of its two faces turn by more than `degrees`.
-/// Errors: mesh_error for a mesh without edges.
-/// Cost: O(corners).
+/// Returns creases with every inner edge sharp at which the normals of its two faces turn by more than `degrees`.
+/// Errors: mesh_error for a mesh without edges. Cost: O(corners).
 template <mesh M>
 creases creases_by_angle(const M& mesh, double degrees, double sharpness = infinitely_sharp)
 {
@@ -118,7 +117,7 @@ creases creases_by_angle(const M& mesh, double degrees, double sharpness = infin
         return n;
     };
     const auto dot = [](const coordinates& a, const coordinates& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-    std::vector<coordinates> normals(level.face_count()); // once each: a face may have many edges
+    std::vector<coordinates> normals(level.face_count()); // computed once per face: a face may have many edges
     for (const auto f : level.faces())
         normals[f.index()] = normal(f);
     const double limit = std::cos(degrees * 3.14159265358979323846 / 180);

@@ -6,12 +6,12 @@
 
 namespace kith {
 
-/// The mid-edge scheme, the simplest there is: the midpoints of all edges. Peters & Reif 1997. C1 (quadratic box spline
-/// in the regular part; triangles that stay are the weak spot). Meant for closed meshes: a boundary loop keeps its
-/// number of edges and contracts. Cost: O(corners).
+/// The mid-edge scheme, the simplest one: the new vertices are the midpoints of all edges. Peters & Reif 1997. C1
+/// (quadratic box spline in the regular part; triangles that stay are the weak spot). It is meant for closed meshes: a
+/// boundary loop keeps its number of edges and contracts. Cost: O(corners).
 struct mid_edge {
-    /// The rings before so many steps: two are one of the dual split, in which a point needs its face only,
-    /// docs/distributed.md.
+    /// Returns the rings before `steps` steps. Two steps are one of the dual split, in which a point needs its face
+    /// only, docs/distributed.md.
     static constexpr int rings_before(int steps, int rings)
     {
         rings += steps % 2;

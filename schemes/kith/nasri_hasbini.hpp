@@ -6,11 +6,11 @@
 
 namespace kith {
 
-/// Nasri-Hasbini: ternary refinement of bicubic B-splines, three times as fine per step, polygons of any kind.
-/// Published (thesis 2.1.5) are the split and the masks of the regular part. The masks around extraordinary vertices,
-/// in faces that are not quads and at irregular boundary vertices are in docs/schemes.md and not the original
-/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(corners), those of large faces
-/// times the logarithm of their number.
+/// Nasri-Hasbini: ternary refinement of bicubic B-splines, three times as fine per step, for polygons of any kind. The
+/// split and the masks of the regular part are published (thesis 2.1.5). The masks around extraordinary vertices, in
+/// faces that are not quads and at irregular boundary vertices are not the original authors'; docs/schemes.md defines
+/// them. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(corners); each corner of a large
+/// face costs O(log large faces).
 struct nasri_hasbini {
     static constexpr auto traits()
     {
@@ -21,8 +21,8 @@ struct nasri_hasbini {
     }
     static constexpr auto columns() { return ternary_split::columns(); }
 
-    /// All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
-    /// Here those of inner vertices among quads; docs/schemes.md.
+    /// Makes the step. All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices
+    /// makes them all. The masks here are those of inner vertices among quads; docs/schemes.md.
     template <step_context R>
     void operator()(const R& r) const
     {

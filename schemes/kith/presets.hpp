@@ -23,12 +23,12 @@
 
 namespace kith {
 
-/// Libraries whose conventions a scheme can follow. docs/schemes.md lists the differences.
+/// The libraries whose conventions a scheme can follow. docs/schemes.md lists the differences.
 enum class library : unsigned char { kith, cgal, openmesh, opensubdiv, libigl };
 
 namespace detail {
 
-/// The libraries that have a scheme, beside kith itself.
+/// The libraries, beside kith itself, that have a scheme.
 template <scheme Scheme>
 inline constexpr std::array<library, 0> also_in{};
 template <>
@@ -50,7 +50,8 @@ inline constexpr std::array also_in<linear>{library::cgal, library::openmesh, li
 template <>
 inline constexpr std::array also_in<linear_triangles> = also_in<linear>;
 
-/// CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve is not the B-spline; see boundary_curve.
+/// Sets the options to those of another library. CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve
+/// is not the B-spline; see boundary_curve.
 inline void follow(catmull_clark& scheme, library other)
 {
     if (other == library::cgal or other == library::openmesh)
@@ -58,7 +59,8 @@ inline void follow(catmull_clark& scheme, library other)
     if (other == library::openmesh)
         scheme.boundary = boundary_curve::thirds;
 }
-/// CGAL, OpenMesh and libigl smooth boundary corners; libigl takes Warren's weights.
+/// Sets the options to those of another library. CGAL, OpenMesh and libigl smooth boundary corners; libigl takes
+/// Warren's weights.
 inline void follow(loop& scheme, library other)
 {
     if (other == library::cgal or other == library::openmesh or other == library::libigl)
@@ -71,8 +73,8 @@ inline void follow(doo_sabin& scheme, library other)
     if (other == library::cgal)
         scheme.boundary = doo_sabin_boundary::drop;
 }
-/// All others are the same everywhere; but CGAL counts the even and odd steps of sqrt(3) anew in every call, so refine
-/// there, as here, in one call; and OpenMesh's mid-edge takes closed meshes only.
+/// Sets nothing: all other schemes are the same in all libraries. But CGAL counts the even and odd steps of sqrt(3)
+/// anew in every call, so refine in one call, there and here. OpenMesh's mid-edge takes closed meshes only.
 template <scheme Scheme>
 void follow(Scheme&, library)
 {
@@ -80,8 +82,8 @@ void follow(Scheme&, library)
 
 } // namespace detail
 
-/// The scheme with the options that make it that of the library: `like<loop>(library::cgal)`.
-/// Errors: mesh_error when that library does not have the scheme.
+/// Returns the scheme with the options that make it that of the library: `like<loop>(library::cgal)`. Errors:
+/// mesh_error if that library does not have the scheme.
 template <scheme Scheme>
 Scheme like(library other)
 {

@@ -34,14 +34,14 @@ struct ray_hit {
     double distance; ///< t of the ray, in lengths of its direction
 };
 
-/// Finds where rays hit a limit surface first, from either side. Each result is the first hit: the search leaves out a
-/// part of the surface only if Bezier or control points prove that the ray does not meet it, or that a hit comes
-/// before. No ray passes between two faces. A hit is exact to about 1e-12 of the size of the surface where the ray
-/// crosses the surface. Where a ray touches it only, hits and misses by less than that are not told apart.
+/// A search for the first hits of rays on a limit surface, from either side. Each result is the first hit. The search
+/// skips a part of the surface only if Bezier or control points prove that the ray misses it or hits another part
+/// before. No ray passes between two faces. A hit is exact to about 1e-12 of the size of the surface if the ray crosses
+/// the surface. If a ray only touches it, hits and misses by less than that are not distinguished.
 ///
-/// Takes points of three coordinates, and schemes that are splines among regular faces and have no negative weights:
-/// Catmull-Clark, Loop and the linear ones, with all creases; Doo-Sabin, mid-edge, 4-8 and unified on closed meshes;
-/// Nasri-Hasbini on quads. One thread at a time may use an object.
+/// The search takes points of three coordinates, and schemes that are splines among regular faces and have no negative
+/// weights. These are Catmull-Clark, Loop and the linear schemes, with all creases; Doo-Sabin, mid-edge, 4-8 and
+/// unified on closed meshes; Nasri-Hasbini on quads. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class ray_hits {
 public:
@@ -57,11 +57,11 @@ public:
     {
     }
 
-    /// Returns the first hit of each ray, or nothing for a ray that misses the surface. A hit at the origin counts. It
-    /// searches on threads; the results are the same bits on any number of them.
-    /// Errors: mesh_error for a ray with numbers that are not finite, without direction or with a negative length, and
-    /// for schemes that are no splines.
-    /// Cost: for each ray O(log faces + faces whose boxes it meets) and, as a rule, some dozen cuts of polynomials.
+    /// Returns the first hit of each ray, or nothing for a ray that misses the surface. A hit at the origin counts. The
+    /// search runs on threads; the results are the same bits for any number of threads. Errors: mesh_error for a ray
+    /// with numbers that are not finite, without direction or with a negative length, and for schemes that are no
+    /// splines. Cost: for each ray O(log faces + faces whose boxes it meets) and usually a few dozen subdivisions of
+    /// polynomials.
     [[nodiscard]] std::vector<std::optional<ray_hit>> of(std::span<const surface_ray> rays)
     {
         for (std::size_t i = 0; i < rays.size(); ++i)
@@ -89,7 +89,7 @@ public:
 private:
     using cells = detail::surface_cells<Scheme, Index>;
 
-    /// Returns a length that neither overflows nor vanishes on the way.
+    /// Returns a length. Squares of the coordinates neither overflow nor vanish.
     static double length_of(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
     static void require_ray(const surface_ray& ray, std::size_t number)
     {

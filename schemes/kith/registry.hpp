@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// KITH_SCHEMES(line) is line(type, header, numbers, paper) for each scheme of the library. `type` is in namespace
-/// kith, and `header` is its file without .hpp. `numbers` are the coordinates for which the library has its steps
-/// compiled: doubles alone, or floats, too. The compiled library, the program, the dialects, Python and the tests take
-/// their lists from here. CMake reads these lines.
+/// The schemes of the library: KITH_SCHEMES(line) is line(type, header, numbers, paper) for each scheme. `type` is in
+/// namespace kith, and `header` is its file without .hpp. `numbers` are the coordinates for which the library has its
+/// steps compiled: doubles alone, or floats, too. The compiled library, the program, the dialects, Python and the tests
+/// take their lists from here. CMake reads these lines.
 // clang-format off
 #define KITH_SCHEMES(line)                                                                                             \
     line(catmull_clark, catmull_clark, floats, "Catmull & Clark 1978")                                                 \

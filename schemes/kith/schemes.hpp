@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// All schemes, and what goes with them.
+// Includes all schemes, and the functions that go with them.
 #include "butterfly.hpp"
 #include "catmull_clark.hpp"
 #include "doo_sabin.hpp"

@@ -14,12 +14,12 @@
 
 namespace kith {
 
-/// A scheme whose steps refine the faces that are chosen for them; where none have been chosen, all faces.
-/// What keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have
-/// the rules of the scheme, on the mesh as it is, all others stay; but where a scheme reaches further than a ring of
-/// faces new vertices beside green faces are midpoints. So what is red has the points of full refinement, the same
-/// bits, wherever the level around it has.
-/// Bank, Sherman & Weiser 1983. Cost: that of the scheme on all faces, without their connectivity, and the new level's.
+/// A scheme whose steps refine only the chosen faces; all faces if none have been chosen. `closure` keeps the mesh
+/// conforming: no vertex lies on the edge of another face. Vertices at cut edges have the rules of the scheme, on the
+/// mesh as it is; all other vertices stay. If a scheme reaches further than a ring of faces, new vertices beside green
+/// faces are midpoints. So red faces have the points of full refinement, the same bits, wherever the level around them
+/// has. Bank, Sherman & Weiser 1983. Cost: that of the scheme on all faces, without their connectivity, and that of the
+/// new level.
 template <selectable_scheme Scheme>
 class selected {
     using split = std::conditional_t<detail::splits_triangles<Scheme>, red_green_split, polygon_closure_split>;
@@ -27,9 +27,9 @@ class selected {
 public:
     explicit selected(Scheme scheme = Scheme()) : scheme_(std::move(scheme)) {}
 
-    /// The scheme that is used where faces are split, with its state of this level.
+    /// Returns the scheme of the faces that are split, with its state of this level.
     [[nodiscard]] const Scheme& scheme() const { return scheme_; }
-    /// One flag per face of this level, those that were chosen; none where all are.
+    /// Returns one flag per face of this level, set for chosen faces; none if all faces are chosen.
     [[nodiscard]] std::span<const unsigned char> chosen() const { return closure_.chosen(); }
     /// Chooses faces of the level, by a flag for each. Errors: mesh_error unless there is one per face. Cost: O(level).
     template <level Level>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Splits for schemes of one's own: the columns and the connectivity of quads, triangles, duals and more.
+/// Splits for user-defined schemes: the columns and the connectivity of quads, triangles, duals and more.
 
 #include <kith/schemes/split/bisection_split.hpp>
 #include <kith/schemes/split/dual_split.hpp>

@@ -12,12 +12,13 @@
 
 namespace kith {
 
-/// sqrt(3): triangles, three times as many per step. Kobbelt 2000. C2, at vertices of valence other than 6 C1.
-/// The boundary is refined in every second step, by the generation of the mesh: refining once and once more is the same
-/// as refining twice. Two steps make the ternary cubic B-spline of it. Cost: O(corners).
+/// sqrt(3): for triangles, three times as many per step. Kobbelt 2000. C2, at vertices of valence other than 6 C1. The
+/// boundary is refined in every second step, by the generation of the mesh: two calls that refine once are the same as
+/// one that refines twice. Two steps make the ternary cubic B-spline of the boundary. Cost: O(corners).
 struct sqrt3 {
-    /// Reach: the children of a triangle end at the centres of those beside it, and odd steps ask of a triangle whether
-    /// it lies at the boundary, which those around it tell: one ring more than for the masks alone.
+    /// Returns the traits. Reach: the children of a triangle end at the centres of the triangles beside it. Odd steps
+    /// also ask whether a triangle lies at the boundary, for which the triangles around it are needed. Together this is
+    /// one ring more than for the masks alone.
     static constexpr auto traits()
     {
         return scheme_traits{
@@ -40,7 +41,7 @@ struct sqrt3 {
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
-    /// The weight that all neighbours of a vertex of valence n have together; Kobbelt 2000, eq. 5.
+    /// Returns the total weight of the neighbours of a vertex of valence n; Kobbelt 2000, eq. 5.
     static constexpr double alpha(std::size_t n) { return (4 - 2 * exact_cos(1, std::int64_t(n))) / 9; }
 
     template <step_context R>

@@ -16,14 +16,14 @@
 
 namespace kith {
 
-/// The tri-quad mesh that 4-8 subdivision starts from: quads are cut along a diagonal (which one makes no difference to
-/// the next levels), meshes with other faces get a vertex in the middle of every face. Quads cut along a diagonal are
-/// generation 0; one step marks all their edges, which is how the other meshes start, so these are generation 1.
-/// A diagonal is the one with the quad's smallest vertex or, where another edge would join the same two vertices, the
-/// other one; diagonals, directions and starts of fans depend on the numbers of vertices, not on the order of faces.
-/// Fields of the mesh become those of the one that is returned: tri_quad(mesh, std::tie(material, uv)).
-/// Errors: as `refine_with_fields`, and mesh_error for quads that have no diagonals without such edges.
-/// Cost: O(corners log valence).
+/// Returns the tri-quad mesh from which 4-8 subdivision starts. Quads are cut along a diagonal; the choice makes no
+/// difference to the next levels. Meshes with other faces get a vertex in the middle of every face. Quads cut along a
+/// diagonal are generation 0. One step marks all their edges, which is how the other meshes start, so these are
+/// generation 1. A quad is cut along the diagonal with its smallest vertex or, if another edge would join the same two
+/// vertices, along the other one. Diagonals, directions and starts of fans depend on the numbers of vertices, not on
+/// the order of faces. Fields of the mesh become those of the returned mesh: tri_quad(mesh, std::tie(material, uv)).
+/// Errors: as `refine_with_fields`, and mesh_error for quads that have no diagonals without such edges. Cost: O(corners
+/// log valence).
 template <class Point, std::unsigned_integral Index, class... Fields>
 basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh, std::tuple<Fields&...> fields = {})
 {
@@ -37,16 +37,16 @@ basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh, std::tup
     return {storage<Point>(made.points()), made.topology(), 0};
 }
 
-/// The same of a mesh of another library. Errors: also what `validate` finds.
+/// Returns the same for a mesh of another library. Errors: also those that `validate` finds.
 template <refinable_mesh M>
 M tri_quad(const M& mesh)
 {
     return build_like(mesh, tri_quad(to_native_valid(mesh)));
 }
 
-/// The same triangle mesh with these edges, given by their vertices, as the marked ones.
-/// Errors: mesh_error for other faces than triangles, for a mesh without edges, and for a face with no or several
-/// marked edges, which it names. Cost: O(corners log edges).
+/// Returns the triangle mesh with the given edges as the marked ones. Edges are given by their vertices. Errors:
+/// mesh_error for other faces than triangles, for a mesh without edges, and for a face with no or several marked edges;
+/// the message names the face. Cost: O(corners log edges).
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::vector<std::pair<Index, Index>> marked)
 {
@@ -83,9 +83,9 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
     return {storage<Point>(mesh.points()), std::move(t), mesh.generation()};
 }
 
-/// The marks of a tri-quad mesh as a field on its edges. The rule is that of the scheme: an edge that was not marked
-/// is, the halves of those that were and the edges inside faces are not. So beside `four_eight`, in tiles and in files
-/// of levels, too, it has the marks of each level. Cost: O(edges).
+/// Returns the marks of a tri-quad mesh as a field on its edges. The rule is that of the scheme: an unmarked edge
+/// becomes marked; the halves of marked edges and the edges inside faces are unmarked. So a field refined with
+/// `four_eight` has the marks of each level, in tiles and in files of levels, too. Cost: O(edges).
 template <mesh M>
 auto marked_edges(const M& mesh)
 {

@@ -11,10 +11,9 @@ namespace kith {
 
 /// The unified primal/dual family: tensor B-splines of bidegree 1 to 9 for closed meshes of any polygons. Zorin &
 /// Schroeder 2001: one split, then repeated averaging over the dual mesh. Odd degrees are primal and make quads, even
-/// degrees are dual and make every inner vertex one of valence 4. C(degree - 1), at extraordinary vertices and faces C1
-/// from degree 2 on. 1 is the linear split, 2 Doo-Sabin with averaging weights, 3 Catmull-Clark with other vertex
-/// weights.
-/// Errors: mesh_error for a degree that is not 1 to 9. Cost: O(degree corners).
+/// degrees are dual and give every inner vertex valence 4. C(degree - 1), at extraordinary vertices and faces C1 from
+/// degree 2 on. Degree 1 is the linear split, 2 Doo-Sabin with averaging weights, 3 Catmull-Clark with other vertex
+/// weights. Errors: mesh_error for a degree that is not 1 to 9. Cost: O(degree corners).
 struct unified {
     int degree = 3;
 
@@ -25,11 +24,11 @@ struct unified {
                              .trusted = true,
                              .require = [](const unified& s, const auto& level, int) { s.require_input(level); }};
     }
-    static constexpr int max_degree = 9; ///< up to which the authors have proved smoothness
+    static constexpr int max_degree = 9; ///< the largest degree for which the authors have proved smoothness
 
     [[nodiscard]] constexpr bool is_primal() const { return degree % 2 != 0; }
 
-    /// Those of the quad split or of the dual split; on closed meshes they have the same edges.
+    /// Returns the columns of the quad split or of the dual split; on closed meshes they have the same edges.
     [[nodiscard]] constexpr auto columns() const
     {
         const bool primal = is_primal();

@@ -6,7 +6,7 @@
 #include <kith/core/level/elements.hpp>
 #include <kith/core/level/for_each.hpp>
 #include <kith/core/level/values.hpp>
-// The limit rules of all schemes, so that no limit is searched for although its scheme has a rule.
+// These headers have the limit rules of all schemes: no limit may be searched for if its scheme has a rule.
 #include <kith/limits/rules/butterfly.hpp>
 #include <kith/limits/rules/catmull_clark.hpp>
 #include <kith/limits/rules/doo_sabin.hpp>
@@ -39,7 +39,7 @@ namespace detail {
 
 struct any_masks {
     template <class... Masks>
-    void operator()(const Masks&...) const; // masks, and what else the rules tell
+    void operator()(const Masks&...) const; // masks, and other arguments that the rules pass
 };
 
 template <scheme Scheme, level Level>
@@ -48,7 +48,7 @@ using limit_rules_argument = decltype(limit_rules<Scheme>::on(std::declval<const
 
 } // namespace detail
 
-/// The limit_rules of a scheme have masks for such elements.
+/// Requirements of a scheme whose limit_rules have masks for the positions of these elements.
 template <class Scheme, class Element, class Level>
 concept has_limit_positions = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
     limit_rules<Scheme>::position(rules, x, detail::any_masks());
@@ -57,7 +57,7 @@ template <class Scheme, class Element, class Level>
 concept has_limit_tangents = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
     limit_rules<Scheme>::tangents(rules, x, detail::any_masks());
 };
-/// The limit_rules of a scheme have masks for each side of a crease at such elements.
+/// Requirements of a scheme whose limit_rules have tangent masks for each side of a crease at these elements.
 template <class Scheme, class Element, class Level>
 concept has_limit_sides = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
     limit_rules<Scheme>::sides(rules, x, detail::any_masks());
@@ -79,14 +79,14 @@ auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, 
     return result;
 }
 
-/// Of a point that carries more, such as weights, the point alone: what a normal follows from.
+/// The point alone, without other values that it carries, such as weights. Normals are computed from it.
 template <class Point>
 struct bare_point {
     using type = Point;
     static const Point& of(const Point& point) { return point; }
 };
 
-/// The bare points of a level.
+/// The bare points of a level, as a value space for masks.
 template <level Level>
 class bare_points {
     using bare = bare_point<typename Level::point_type>;
@@ -101,7 +101,7 @@ public:
     [[nodiscard]] decltype(auto) coarse(const vertex<Level>& v) const { return number::load(bare::of(v.point())); }
 };
 
-/// The same times a factor.
+/// The bare points of a level times a factor.
 template <level Level>
 class scaled_points : public bare_points<Level> {
 public:
@@ -119,7 +119,7 @@ private:
     double factor_;
 };
 
-/// Whether the sums of tangent masks are finite, and not so small that digits are lost.
+/// Returns true if the sums of tangent masks are finite, and not so small that digits are lost.
 inline bool is_in_range(std::uint64_t exponent_bits)
 {
     return is_usual(exponent_bits) and exponent_bits >= 1023 - 900;
@@ -130,8 +130,8 @@ bool are_in_range(const Vectors&... tangents)
     return (is_in_range(exponent_bits(tangents)) and ...);
 }
 
-/// Returns tangents in range, given those that masks give and over(factor), which makes them anew of points times a
-/// factor.
+/// Returns tangents in range. `tangents` are the results of the masks; over(factor) evaluates the masks again with
+/// points times a factor.
 template <std::size_t Count, class Over>
 std::array<normal_vector, Count> brought_into_range(std::array<normal_vector, Count> tangents, const Over& over)
 {
@@ -152,7 +152,7 @@ std::array<normal_vector, Count> brought_into_range(std::array<normal_vector, Co
     return tangents;
 }
 
-/// Returns tangents in range, given those that masks give.
+/// Returns tangents in range, given the results of the masks.
 template <level Level, std::size_t Count, class... Masks>
 [[gnu::noinline, gnu::cold]] std::array<normal_vector, Count>
 tangents_of_scaled(const std::array<normal_vector, Count>& tangents, const Masks&... masks)
@@ -165,7 +165,8 @@ tangents_of_scaled(const std::array<normal_vector, Count>& tangents, const Masks
     return brought_into_range(tangents, over);
 }
 
-/// The tangents that masks give. Where their sums are not in range, they are formed once more of scaled points.
+/// Returns the tangents that masks give. If their sums are out of range, the masks are evaluated again with scaled
+/// points.
 template <level Level, class... Masks>
 std::array<normal_vector, sizeof...(Masks)> tangents_of(const Masks&... masks)
 {
@@ -176,7 +177,7 @@ std::array<normal_vector, sizeof...(Masks)> tangents_of(const Masks&... masks)
     return tangents_of_scaled<Level>(tangents, masks...);
 }
 
-/// The unit normal that two tangent masks give; nothing where they give none.
+/// Returns the unit normal that two tangent masks give; nothing if they give none.
 template <level Level, class First, class Second>
 std::optional<normal_vector> normal_of(const First& first, const Second& second)
 {
@@ -186,11 +187,12 @@ std::optional<normal_vector> normal_of(const First& first, const Second& second)
 
 } // namespace detail
 
-/// The limits of the vertices of a level, by closed masks alone; nothing where none is known (faces that the first step
-/// splits, semi-sharp creases that still decay): limit_surface_of finds those, too. `level` is mesh.elements(i) of a
-/// hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where the scheme has masks for them, its
-/// faces() may be given: of Doo-Sabin, level.faces(). The level must be a whole mesh: at the cuts of a part the masks
-/// would take the part's rim for a boundary. For a tile, pass the tile (limits_of_tile.hpp). Cost: O(corners).
+/// Returns the limits of the vertices of a level by closed-form masks alone. The result is nothing for a vertex without
+/// a known mask (at faces that the first step splits, at semi-sharp creases that still decay); limit_surface_of finds
+/// those, too. `level` is mesh.elements(i) of a hierarchy, `scheme` its scheme(i). Instead of the level, its vertices()
+/// may be given or, if the scheme has masks for them, its faces(): level.faces() of Doo-Sabin. The level must be a
+/// whole mesh: at the cuts of a part the masks would take the border of the part for a boundary. For a tile, pass the
+/// tile (limits_of_tile.hpp). Cost: O(corners).
 template <level Level, element Element, scheme Scheme>
 auto limit_positions(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {
@@ -202,9 +204,8 @@ auto limit_positions(const Level& level, const Scheme& scheme)
     return limit_positions(level.vertices(), scheme);
 }
 
-/// Any values of the vertices of a level, carried to the limit by the same masks: colours, or stencil rows for a
-/// matrix.
-/// Precondition: one value per vertex.
+/// Returns the limits of any values of the vertices of a level, by the masks of the positions: colours, or stencil rows
+/// for a matrix. Precondition: one value per vertex.
 template <level Level, element Element, scheme Scheme, affine_value T>
 auto limit_values(const all_elements<Level, Element>& elements, const Scheme& scheme, std::span<const T> values)
 {
@@ -216,9 +217,10 @@ auto limit_values(const Level& level, const Scheme& scheme, std::span<const T> v
     return limit_values(level.vertices(), scheme, values);
 }
 
-/// The unit normals of the limit surface at the same places, outward for counter-clockwise faces; nothing where no mask
-/// is known or the surface has no single normal (corners with several faces, creases): limit_surface_of has one for
-/// each side of a crease. A normal does not depend on the level. For points of three coordinates and a whole mesh.
+/// Returns the unit normals of the limit surface at the limits of the elements, outward for counter-clockwise faces.
+/// The result is nothing if no mask is known or the surface has no single normal (corners with several faces, creases).
+/// limit_surface_of has a normal for each side of a crease. A normal does not depend on the level. For points of three
+/// coordinates and a whole mesh.
 template <level Level, element Element, scheme Scheme>
 auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {

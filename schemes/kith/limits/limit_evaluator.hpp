@@ -23,7 +23,7 @@ namespace detail {
 
 enum class limit_part : unsigned char { position, first_tangent, second_tangent };
 
-/// Puts what a limit mask gives in the place of points, and no numbers where there is no mask.
+/// The replacement of points by the results of a limit mask, or by NaN if there is no mask.
 template <limit_part Part>
 struct limits_in_place {
     template <class Point, std::unsigned_integral Index, scheme Scheme, std::predicate<std::size_t> IsWanted>
@@ -65,7 +65,7 @@ private:
     }
 };
 
-/// The patches of the limits of a scheme, which may have masks for positions alone, or none.
+/// The patches of the limits of a scheme. The scheme may have masks for positions alone, or none.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 struct patched_limits {
     using level_type = level_of<basic_mesh<Point, Index>>;
@@ -102,16 +102,17 @@ private:
 
 } // namespace detail
 
-/// The limit surface of the last level of a refinement, made again and again while the control points move and what is
-/// connected stays: positions and normals as `limit_surface_of` finds them. Where faces look alike they come from the
-/// control points by templates. It may be used by one thread at a time; it works on those of OpenMP itself.
+/// The limit surface of the last level of a refinement, evaluated again and again while the control points move and the
+/// connectivity stays. Positions and normals are those of `limit_surface_of`. Faces with the same neighbourhood are
+/// evaluated from the control points by shared templates. One thread at a time may use an object; the object itself
+/// runs OpenMP threads.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
     requires detail::patched_limits<Point, Index, Scheme>::have_positions
 class limit_evaluator {
 public:
-    /// For the vertices of `refine(control, scheme, levels)`. For points of three coordinates. Errors: those of
-    /// `refine`. Cost: that of three `evaluator`s; from the first limit on that has no mask, the memory of the last
-    /// level, too.
+    /// Takes a control mesh with points of three coordinates. The limits are those of the vertices of `refine(control,
+    /// scheme, levels)`. Errors: those of `refine`. Cost: that of three `evaluator`s. From the first limit without a
+    /// mask on, it also takes the memory of the last level.
     limit_evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                     const refine_options& options = {})
         : options_(options)
@@ -119,16 +120,16 @@ public:
         , levels_(control, scheme, levels, patched::kinds(), limit_rules<Scheme>::rings(scheme) + 1, options)
     {
     }
-    /// For a mesh of another library, whose points are told in the order of its vertices.
+    /// Takes a mesh of another library. `evaluate` takes its points in the order of its vertices.
     template <refinable_mesh M>
     limit_evaluator(const M& control, const Scheme& scheme, int levels, const refine_options& options = {})
         : limit_evaluator(to_native_valid<M, Point>(control), scheme, levels, options)
     {
     }
 
-    /// The limit surface for these control points: the bits of `limit_surface_of` a mesh that is refined with them.
-    /// Errors: mesh_error unless there is a point for each control vertex, all finite; those of limit_surface_of. Cost:
-    /// that of the masks, and of the search where there are none.
+    /// Returns the limit surface for these control points: the same bits as `limit_surface_of` a mesh that is refined
+    /// with them. Errors: mesh_error unless there is a point for each control vertex, all finite; those of
+    /// limit_surface_of. Cost: that of the masks, and of the search for limits without masks.
     [[nodiscard]] limit_surface<Point> evaluate(std::span<const Point> control)
     {
         levels_.levels().move_points(0, control);
@@ -149,7 +150,7 @@ private:
     using wanted = detail::wanted_limits<Point, Index, Scheme>;
     using search_type = typename wanted::search_type;
 
-    /// The last level as a mesh, for limits that have no mask.
+    /// The last level as a mesh, for limits without a mask.
     struct whole_level {
         basic_mesh<Point, Index> mesh;
         Scheme scheme;
@@ -178,8 +179,8 @@ private:
             std::move(all).finest(), of_last, evaluator<Point, Index, Scheme>(control, scheme, count_, options_));
     }
 
-    /// Keeps the normals that the tangents give. The vertices that are handed back, in the order of their numbers, are
-    /// to be looked at again.
+    /// Keeps the normals that the tangents give. Returns the vertices whose position or normal is still open, by
+    /// increasing number.
     std::vector<Index> take_patches(wanted& limits)
     {
         storage<Point> first, second;
@@ -205,7 +206,8 @@ private:
                 open.push_back(Index(v));
         return open;
     }
-    /// At the masks of the last level, since tangents may not have been in range; leaves open what they do not tell.
+    /// Evaluates the masks of the last level at the open vertices, since their tangents may have been out of range.
+    /// Leaves in `open` the vertices that the masks do not decide.
     void look_again(wanted& limits, std::vector<Index>& open) const
     {
         const typename patched::level_type level(whole_->mesh);
@@ -221,7 +223,7 @@ private:
     refine_options options_;
     int count_;
     typename patched::type levels_;
-    std::optional<whole_level> whole_; // where some limits have no masks
+    std::optional<whole_level> whole_; // made when a limit has no mask
 };
 
 template <refinable_mesh M, searchable_scheme Scheme>

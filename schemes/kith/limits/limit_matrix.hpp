@@ -15,8 +15,8 @@ namespace kith {
 
 namespace detail {
 
-/// A point, and its weights of the vertices of an earlier level: what looks for limits by points finds their weights,
-/// too.
+/// A point, and its weights of the vertices of an earlier level. A search for limits of these points finds the weights
+/// of the limits, too.
 template <class Point>
 struct traced_point {
     Point point;
@@ -56,11 +56,10 @@ struct affine<detail::traced_point<Point>> {
     }
 };
 
-/// The limit matrix: the places of the vertices of level `to` on the limit surface, as limit_surface_of finds them,
-/// from the vertices of level `from`. Where the limit is found by refining what lies around a vertex, until it is a
-/// point, so are its weights, and a row may depend on the points in its last digits. For points of three coordinates.
-/// Errors: mesh_error unless from <= to, and as limit_surface_of. Cost: as that of matrix(from, to), and
-/// limit_surface_of.
+/// Returns the limit matrix. It maps the vertices of level `from` to the limits of the vertices of level `to`, as
+/// limit_surface_of finds them. If a limit is found by refining the neighbourhood of a vertex until it is one point, so
+/// are its weights. The row may then depend on the points in its last digits. For points of three coordinates. Errors:
+/// mesh_error unless from <= to, and those of limit_surface_of. Cost: that of matrix(from, to) and of limit_surface_of.
 template <mesh M, searchable_scheme Scheme>
 subdivision_matrix limit_matrix_of(const hierarchy<M, Scheme>& levels, int from, int to)
 {

@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// What a search for limits needs to know of a scheme beside its masks: the reach of tiles, in its traits(), or that of
-/// its limit_rules.
+/// Requirements of a scheme whose limits can be searched for. Beside its masks it needs a reach: that of tiles, in its
+/// traits(), or that of its limit_rules.
 template <class S>
 concept searchable_scheme = scheme<S> and requires(const S& s) {
     { limit_rules<S>::reach(s, 1) } -> std::convertible_to<int>;
@@ -20,7 +20,7 @@ concept searchable_scheme = scheme<S> and requires(const S& s) {
 
 namespace detail {
 
-/// The rings that have to be kept around what is looked for, at each of the virtual steps.
+/// The rings of faces that are kept around the searched elements, at each of the virtual steps.
 class limit_rings {
 public:
     template <scheme Scheme>
@@ -33,7 +33,7 @@ public:
                 rings_.push_back(before);
         }
     }
-    /// So many rings do for any number of steps.
+    /// Returns true if a fixed number of rings suffices for any number of steps.
     [[nodiscard]] bool is_bounded() const { return is_bounded_; }
     [[nodiscard]] int at(int step) const
     {
@@ -41,15 +41,16 @@ public:
     }
 
 private:
-    std::vector<int> rings_; // from the last step back
+    std::vector<int> rings_; // by step, from the last step back
     int steps_;
     bool is_bounded_ = false;
 };
 
-/// Steps to look for masks where refined rings are no thinner than coarse ones, so that each step costs a ring.
+/// The number of steps in which masks are looked for if refined rings are no thinner than coarse ones. Each step then
+/// costs a ring.
 inline constexpr int few_steps = 8;
 
-/// The virtual steps after which two levels of the same neighbourhood are told apart by rounding only.
+/// The number of virtual steps after which two levels of the same neighbourhood differ by rounding only.
 inline constexpr int many_steps = 1000;
 
 } // namespace detail

@@ -24,8 +24,9 @@ namespace kith {
 
 namespace detail {
 
-/// Looks for the limits of vertices that have no closed mask: refines what lies around them, and nothing else, until
-/// what has become of them has a mask or is one point. What is found depends on the neighbourhood of the vertex alone.
+/// A search for the limits of vertices without a closed-form mask. It refines only the neighbourhoods of these
+/// vertices, until the descendant of each vertex has a mask or its neighbourhood is one point. The result depends on
+/// the neighbourhood of the vertex alone.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class limit_search {
 public:
@@ -37,23 +38,23 @@ public:
     using mesh_type = basic_mesh<Point, Index>;
     using level_type = level_of<mesh_type>;
 
-    /// Tangents are looked for a little longer than positions: beside irregular vertices they are known a step or two
-    /// later.
+    /// Returns the number of steps for which a tangent is still looked for after the position is known. Beside
+    /// irregular vertices tangents become known a step or two later.
     static constexpr int patience()
     {
         return has_limit_tangents<Scheme, vertex<level_type>, level_type> ? limit_rules<Scheme>::tangent_steps : 0;
     }
 
-    /// The mesh must outlive the search.
+    /// Takes a mesh, which must outlive the search.
     limit_search(const mesh_type& mesh, const Scheme& scheme) : mesh_(mesh), scheme_(scheme), cutter_(mesh) {}
 
-    /// Calls keep(vertex, limit) for some vertices, whose numbers increase, with all that can be found of each. Of a
-    /// part of a mesh no more is looked at than rings_for_limits says. Errors: mesh_error where the neighbourhood of
-    /// a vertex does not become a point.
+    /// Calls keep(vertex, limit) for each of some vertices, given by increasing number, with all limits that can be
+    /// found. If the mesh is a part, the search reads no more rings than rings_for_limits returns. Errors: mesh_error
+    /// if the neighbourhood of a vertex does not become a point.
     template <class Keep>
     void complete(std::span<const Index> all_vertices, bool is_part, const Keep& keep)
     {
-        constexpr std::size_t at_once = 1 << 12; // so that what is virtual stays small
+        constexpr std::size_t at_once = 1 << 12; // so that the virtual meshes stay small
         const level_type level(mesh_);
         const auto& rules = limit_rules<Scheme>::on(scheme_, level);
         for (std::size_t first = 0; first < all_vertices.size(); first += at_once) {
@@ -78,7 +79,8 @@ public:
         }
     }
 
-    /// What the closed masks of a scheme say of an element, where nothing is known of it yet.
+    /// Takes position, normal and sides of an element from the closed-form masks of the scheme, unless `limit` has them
+    /// already.
     template <level Level, template <class> class Element>
         requires element<Element<Level>>
     static void take(const Element<Level>& x, const limit_rules_argument<Scheme, Level>& rules, found& limit, int step)
@@ -107,14 +109,14 @@ private:
     static constexpr int none = std::numeric_limits<int>::max();
 
     struct seeker {
-        Index element;     ///< what the vertex has become: a vertex or a face
-        std::size_t place; ///< among the vertices that are looked at
-        double same;       ///< so near to each other points are one
+        Index element;     ///< the descendant of the vertex: a vertex or a face
+        std::size_t place; ///< index among the searched vertices
+        double same;       ///< points that are this near to each other count as one
         bool is_face = false;
-        int known_at = none; ///< the step at which the position was known
+        int known_at = none; ///< the step at which the position became known
     };
 
-    /// Then differences of points have lost too many digits for a normal.
+    /// The last step in which normals are computed. Later, differences of points have lost too many digits.
     static constexpr int last_normal = 24;
 
     static double largest(const Point& p)
@@ -140,7 +142,7 @@ private:
         for (const auto f : level.vertices()[v].faces())
             for (const auto u : f.vertices())
                 size = std::max(size, largest(u.point()));
-        // Two units in the last place of such a number: nearer than that coordinates need not come.
+        // Two units in the last place of such a number: coordinates need not come nearer than that.
         const auto last_place = double(std::numeric_limits<typename affine<Point>::scalar>::epsilon());
         return std::max(size * std::max(2 * last_place, std::scalbn(1., -51)),
                         8 * std::numeric_limits<double>::denorm_min());
@@ -152,7 +154,7 @@ private:
         return left;
     }
 
-    /// Gives those back whose positions are still unknown.
+    /// Returns the seekers whose positions are still unknown.
     std::vector<seeker> search(std::vector<seeker> left, const limit_rings& rings, int steps, std::span<found> limits)
     {
         Scheme scheme = scheme_;
@@ -237,7 +239,7 @@ private:
         return false;
     }
 
-    /// Takes what masks and points say by now.
+    /// Takes the limits that masks give on this level, and positions of neighbourhoods that have become one point.
     void look(const mesh_type& fine, const Scheme& scheme, std::vector<seeker>& seekers, int step,
               std::span<found> limits) const
     {
@@ -264,7 +266,7 @@ private:
     {
         const auto is_near = [&](const auto& p, const auto& q) {
             return difference(p, q) <= s.same;
-        }; // not so of points that are no numbers
+        }; // false for points with NaN coordinates
         const auto face_is = [&](const auto& f, const Point& p) {
             for (const auto u : f.vertices())
                 if (not is_near(u.point(), p))

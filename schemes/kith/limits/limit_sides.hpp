@@ -11,10 +11,10 @@
 
 namespace kith::detail {
 
-/// The normal of a sector of a vertex, and its weight in the mean of the vertex.
+/// The normal of a sector of a vertex, and its weight in the mean normal of the vertex.
 struct limit_side {
     std::size_t faces;
-    std::optional<normal_vector> normal{}; ///< nothing where the surface is too thin or too short to have one
+    std::optional<normal_vector> normal{}; ///< nothing if the surface is too thin or too short to have one
     double weight = 0;                     ///< one minus the cosine of the angle; 2 for half a turn, 4 for a whole one
 };
 
@@ -23,9 +23,9 @@ inline double dot(const normal_vector& a, const normal_vector& b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The plane of the tangents along the two edges of a sector. Where they make a straight line, to about one degree, it
-/// is that of the line and the direction into the sector. This direction also tells which way a sector of several faces
-/// looks that spans more than half a turn.
+/// Returns the normal and weight of a sector. The normal is that of the plane of the tangents along the two edges of
+/// the sector. If these make a straight line, to about one degree, the plane is that of the line and the direction into
+/// the sector. This direction also tells the orientation of a sector of several faces that spans more than half a turn.
 template <level Level, class First, class Last, class Middle>
 limit_side side_of(const vertex_sector<Level>& part, bool is_half_turn, const First& first, const Last& last,
                    const Middle& middle)
@@ -57,7 +57,7 @@ limit_side side_of(const vertex_sector<Level>& part, bool is_half_turn, const Fi
     return result;
 }
 
-/// The mean of the normals of all sides; nothing where they cancel out, or there are none.
+/// Returns the weighted mean of the normals of all sides; nothing if they cancel out, or there are none.
 inline std::optional<normal_vector> mean_normal(std::span<const limit_side> sides)
 {
     normal_vector sum{};

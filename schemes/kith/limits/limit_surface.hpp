@@ -30,18 +30,18 @@ struct corner_normal {
     friend bool operator==(const corner_normal&, const corner_normal&) = default;
 };
 
-/// The vertices of a level at their places on the limit surface, with the unit normals there, outward for
-/// counter-clockwise faces. Faces on different sides of infinitely sharp edges have different normals at a vertex:
-/// `corner_normals` has these by increasing corner. The normal of such a vertex is their mean, each weighed by one
-/// minus the cosine of the angle of its side.
+/// The vertices of a level at their limit positions, with the unit normals there, outward for counter-clockwise faces.
+/// At infinitely sharp edges the faces of each side have their own normal at a vertex, in `corner_normals` by
+/// increasing corner. The normal of such a vertex is their mean, each weighed by one minus the cosine of the angle of
+/// its side.
 template <class Point>
 struct limit_surface {
     storage<Point> positions;
     storage<normal_vector> normals;              ///< per vertex
-    std::vector<corner_normal> corner_normals{}; ///< of the corners at such vertices; all others have their vertex's
+    std::vector<corner_normal> corner_normals{}; ///< of corners at such vertices; others have their vertex's normal
 };
 
-/// Returns the normals of all corners of the faces of a mesh, of which these are the limits. Cost: O(corners).
+/// Returns the normals of all corners of the faces of a mesh, given the limits of its vertices. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 storage<normal_vector> normals_of_corners(const basic_mesh<Point, Index>& mesh, const limit_surface<Point>& limits)
 {
@@ -53,7 +53,7 @@ storage<normal_vector> normals_of_corners(const basic_mesh<Point, Index>& mesh, 
     return result;
 }
 
-/// The rings of faces around some faces that limit_surface_around looks at for the vertices of these.
+/// Returns how many rings around some faces limit_surface_around reads for the limits of their vertices.
 template <searchable_scheme Scheme>
 int rings_for_limits(const Scheme& scheme)
 {
@@ -66,8 +66,8 @@ int rings_for_limits(const Scheme& scheme)
 
 namespace detail {
 
-/// Of each vertex whether its place on the limit surface is asked for: that of those with a mark and, for their
-/// normals, that of all in a face with them.
+/// Returns a flag for each vertex, set if its limit position is needed. These are the vertices of all faces with a
+/// marked vertex, since the normals need them.
 template <class Point, std::unsigned_integral Index>
 std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh, std::span<const unsigned char> marks)
 {
@@ -79,8 +79,8 @@ std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh,
     return result;
 }
 
-/// Gives the marked vertices the mean normals of their faces at these positions and takes their marks. Vertices whose
-/// faces shrink to a point, or have no area at all, keep theirs.
+/// Gives the marked vertices the mean normals of their faces at these positions and removes their marks. Vertices whose
+/// faces shrink to a point, or have no area, keep their marks.
 template <class Point, std::unsigned_integral Index>
 void fill_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
                   std::vector<unsigned char>& marks, storage<normal_vector>& normals)
@@ -95,13 +95,13 @@ void fill_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> p
         }
 }
 
-/// The limits of the vertices of a mesh while they are looked for.
+/// The limits of the vertices of a mesh while they are searched for.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 class wanted_limits {
 public:
     using search_type = limit_search<Point, Index, Scheme>;
 
-    /// Those with a mark are looked for; all if there are no marks. Until they are found vertices are at `positions`.
+    /// Takes the positions until limits are found. These are searched for at marked vertices, or all without marks.
     wanted_limits(storage<Point> positions, std::span<const unsigned char> marks)
         : surface_{std::move(positions), {}}, has_no_normal_(surface_.positions.size(), marks.empty() ? 1 : 0)
     {
@@ -110,7 +110,7 @@ public:
             std::ranges::fill(surface_.normals, normal_vector{});
         std::ranges::copy(marks, has_no_normal_.begin());
     }
-    /// Finds those of the regular vertices of a mesh, whose limits are all looked for, and takes their marks.
+    /// Finds the limits of regular vertices, removes their marks. Precondition: all limits are searched for.
     void find_regular([[maybe_unused]] const basic_mesh<Point, Index>& mesh, [[maybe_unused]] const Scheme& scheme,
                       [[maybe_unused]] std::vector<unsigned char>& is_open)
     {
@@ -137,12 +137,12 @@ public:
             has_no_normal_[v] = 0;
         }
     }
-    /// The place of the vertex is finite.
+    /// Returns true if the position of the vertex is finite.
     [[nodiscard]] bool is_placed(std::size_t v) const
     {
         return is_finite(scaled(affine<Point>::load(surface_.positions[v]), 0));
     }
-    /// Whether a normal may be known after further steps, as far as the number tells, and by the rules of the level.
+    /// Returns true if a normal may be known after further steps. The second overload also asks the rules of the level.
     [[nodiscard]] bool awaits_normal(std::size_t v) const
     {
         return search_type::patience() > 0 and has_no_normal_[v] != 0;
@@ -152,10 +152,10 @@ public:
     {
         return awaits_normal(v.index()) and not limit_rules<Scheme>::never_has_tangents(rules, v);
     }
-    /// There is a normal for each vertex for which it was looked for.
+    /// Returns true if each vertex whose normal is searched for has one.
     [[nodiscard]] bool has_normals() const { return std::ranges::all_of(has_no_normal_, std::logical_not<>()); }
 
-    /// The surface, where the limits of open vertices, which increase, are searched for. Errors: as limit_surface_of.
+    /// Finds the limits of open vertices, which increase, and returns the surface. Errors: as limit_surface_of.
     limit_surface<Point> complete(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                   std::span<const Index> open, bool is_part) &&
     {
@@ -175,11 +175,11 @@ public:
             list_corners(mesh, scheme);
         return std::move(surface_);
     }
-    /// Precondition: has_normals().
+    /// Returns the surface. Precondition: has_normals().
     limit_surface<Point> take() && { return std::move(surface_); }
 
 private:
-    /// Lists the corners on the sides that were found.
+    /// Lists the normals of the corners on the sides that were found.
     void list_corners(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
     {
         if (sides_.empty())
@@ -189,7 +189,7 @@ private:
         const auto& rules = limit_rules<Scheme>::on(scheme, level);
         for (std::size_t i = 0; i < sides_.size(); ++i) {
             const auto& [v, sides] = sides_[i];
-            if (i != 0 and sides_[i - 1].first == v) // it was looked at twice
+            if (i != 0 and sides_[i - 1].first == v) // it was added twice
                 continue;
             auto side = sides.begin();
             limit_rules<Scheme>::sectors(rules, level.vertices()[v], [&](const auto& part) {
@@ -213,8 +213,8 @@ private:
 
 } // namespace detail
 
-/// The limits of some vertices, those with a mark; all if there are no marks. All others stay, but for the neighbours
-/// of these. As limit_surface_of. Precondition: a mark per vertex, or none.
+/// Returns the limits of the marked vertices (all without marks), as limit_surface_of. Other vertices stay, except for
+/// those in a face with a marked one. Precondition: a mark per vertex, or none.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                           std::span<const unsigned char> marks)
@@ -246,22 +246,22 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     return std::move(limits).complete(mesh, scheme, open, not marks.empty());
 }
 
-/// Returns where all vertices of a mesh end up when it is refined for ever. Closed masks tell it where they are known.
-/// Elsewhere the neighbourhood is refined until it has such a mask or is a point; docs/schemes.md, Limit. A normal is
-/// that of the limit surface where it is known at once or a few steps on; it is then the same on all levels. At
-/// infinitely sharp edges each side has a normal, in corner_normals. Elsewhere it is the mean of the normals of the
-/// faces, weighed by area: at their limit positions or, if these have none, at their places. If there is none it is
-/// zero. `scheme` is that of this level: the creases are its. For points of three coordinates. Errors: mesh_error for a
-/// mesh without edges, for faces that the scheme does not take, and for creases of another level; also where the
-/// neighbourhood of a vertex does not shrink to one point, or the scheme leaves nothing of it. Cost: O(corners), and
-/// for each vertex without a mask that of refining its neighbourhood, seldom more than a few times.
+/// Returns the limits of all vertices of a mesh under infinite refinement. They are given by closed-form masks or, if
+/// there is none, by refining the neighbourhood until it has a mask or is a point; docs/schemes.md, Limit. A normal is
+/// that of the limit surface if it is known at once or a few steps on; it is then the same on all levels. At infinitely
+/// sharp edges each side has a normal, in corner_normals. Otherwise the normal is the mean of the faces' normals,
+/// weighed by area: at their limit positions or, if these have none, at their places. If there is none it is zero.
+/// `scheme` is that of this level and has its creases. For points of three coordinates. Errors: mesh_error for a mesh
+/// without edges, faces that the scheme does not take, and creases of another level; also if the neighbourhood of a
+/// vertex does not shrink to one point, or the scheme leaves nothing of it. Cost: O(corners), and for each vertex
+/// without a mask usually a few refinements of its neighbourhood.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
 {
     return limit_surface_around(mesh, scheme, {});
 }
 
-/// The same of a level of a hierarchy, on any kind of mesh. Errors: mesh_error for a level that is not there; as above.
+/// Returns the same for a level of a hierarchy on any kind of mesh. Errors: mesh_error for a missing level; as above.
 template <mesh M, searchable_scheme Scheme>
 auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
 {
@@ -269,12 +269,12 @@ auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
                             levels.scheme(level));
 }
 
-/// KITH_LIMITS(How, Scheme): the limits of points of doubles, which kith::compiled_schemes has.
+/// Declares or defines, by `How`, the limits of points of doubles of a scheme, which kith::compiled_schemes has.
 #define KITH_LIMITS(How, Scheme)                                                                                       \
     How limit_surface<std::array<double, 3>> limit_surface_around(                                                     \
         const basic_mesh<>&, const Scheme&, std::span<const unsigned char>);
 
-/// KITH_LIMIT_PARTS(How): what the limits of all schemes share.
+/// Declares or defines, by `How`, the parts that the limits of all schemes share.
 #define KITH_LIMIT_PARTS(How)                                                                                          \
     How std::vector<normal_vector> mean_face_normals(                                                                  \
         const basic_mesh<>&, std::span<const std::array<double, 3>>, std::span<const unsigned char>);                  \

@@ -20,15 +20,15 @@ namespace kith::detail {
 
 #ifdef KITH_HAS_LANES
 
-/// Makes the limits of regular vertices, as many at a time as two registers have lanes: what `limit_search::take` makes
-/// of each, to the same bits.
+/// The limits of regular vertices, made for as many vertices at a time as two registers have lanes. The results have
+/// the same bits as those of `limit_search::take` at each vertex.
 template <std::unsigned_integral Index, int Degree>
 class regular_limits {
     using mesh_type = basic_mesh<std::array<double, 3>, Index>;
     using level_type = native_level<std::array<double, 3>, Index, Degree>;
 
 public:
-    /// All must outlive this.
+    /// Takes references, all of which must outlive this object.
     regular_limits(const mesh_type& mesh, const regular_masks& masks, const std::vector<unsigned char>& is_irregular,
                    const limit_places& to)
         : level_(mesh)
@@ -43,7 +43,7 @@ public:
     {
     }
 
-    /// Makes those of the vertices whose fans begin in the faces [begin, end).
+    /// Makes the limits of the vertices whose fans begin in the faces [begin, end).
     void make(std::size_t begin, std::size_t end)
     {
         vertices_.clear();
@@ -52,7 +52,7 @@ public:
                 vertices_.push_back(v.value);
         });
         count_ = vertices_.size();
-        vertices_.resize(count_ + at_once, count_ != 0 ? vertices_.back() : 0); // the last one fills up
+        vertices_.resize(count_ + at_once, count_ != 0 ? vertices_.back() : 0); // copies of the last one fill up
 #if defined(__x86_64__)
         const std::size_t bytes = lane_bytes();
         if (bytes == 64)
@@ -86,7 +86,7 @@ private:
                 make_some<Bytes>(vertices_.data() + first + i, i, std::min(width<Bytes>, end - i));
         }
     }
-    /// Makes those of some of the vertices that were found, beginning with this one.
+    /// Makes the limits of some of the vertices that were found, beginning with this one.
     template <std::size_t Bytes>
     [[gnu::always_inline]] void make_some(const Index* vertices, std::size_t first, std::size_t count)
     {
@@ -118,7 +118,7 @@ private:
         return slots_.data() + Width * masks_.program().outputs()[number];
     }
     /// Finds the points to be read around each vertex, and notes whether its fan has another valence. Each step is made
-    /// for all vertices before the next one, so that they wait for memory together.
+    /// for all vertices before the next step, so that their memory accesses overlap.
     [[gnu::always_inline]] void find(const Index* vertices)
     {
         Index* const first = corners_.data();
@@ -128,7 +128,7 @@ private:
         for (const corner_from& step : masks_.steps()) {
             cross(first + at_once * step.reached, step.on, to);
             for (std::size_t i = 0; i < at_once; ++i)
-                to[i] = to[i] == connectivity<Index>::none ? first[i] : to[i]; // it is no regular fan
+                to[i] = to[i] == connectivity<Index>::none ? first[i] : to[i]; // the fan is not regular
             to += at_once;
         }
         Index* const end_of_fan = first + at_once * masks_.valence();
@@ -151,7 +151,7 @@ private:
             found += at_once;
         }
     }
-    /// Finds the corners across from those that lie `on` corners on from the given ones.
+    /// Finds the corners across from the corners that lie `on` corners after the given ones.
     [[gnu::always_inline]] void cross(const Index* corners, Index on, Index* across) const
     {
         const Index *const halfedge = mesh_.corner_halfedge.data(), *const at = mesh_.halfedge_corner.data();
@@ -159,7 +159,7 @@ private:
         for (std::size_t i = 0; i < at_once; ++i)
             across[i] = at[halfedge[from[i]] ^ 1];
     }
-    /// Returns the corners that lie `on` corners on in their faces.
+    /// Returns the corners that lie `on` corners after the given ones in their faces.
     [[nodiscard, gnu::always_inline]] std::array<Index, at_once> moved(const Index* corners, Index on) const
     {
         std::array<Index, at_once> result;
@@ -247,16 +247,16 @@ private:
     const std::vector<unsigned char>& is_irregular_;
     limit_places to_;
     std::vector<Index> vertices_;
-    std::size_t count_ = 0; // of those that are to be made
+    std::size_t count_ = 0; // number of vertices whose limits are to be made
     std::array<Index, at_once> is_open_{};
     alignas(most_lane_bytes) std::array<std::array<double, width<most_lane_bytes>>, 3> normals_;
-    storage<Index> corners_; // those reached, of each vertex
-    storage<Index> found_;   // the vertices of the inputs, of each
+    storage<Index> corners_; // the corners reached from each vertex
+    storage<Index> found_;   // the vertices of the inputs of each vertex
     storage<point> slots_;   // the last number of each is not read
 };
 
-/// Makes the limits of all vertices of a level that are not marked as irregular, and closes these vertices, unless
-/// their fans show that they are irregular, too. Cost: O(corners).
+/// Makes the limits of all vertices of a level that are not marked as irregular, and closes these vertices. A vertex
+/// whose fan shows that it is irregular stays open. Cost: O(corners).
 template <std::unsigned_integral Index>
 void fill_regular_limits(const basic_mesh<std::array<double, 3>, Index>& mesh, const regular_masks& masks,
                          const std::vector<unsigned char>& is_irregular, const limit_places& to)

@@ -19,8 +19,8 @@
 
 namespace kith::detail {
 
-/// The limit masks of a scheme at a vertex as operations, and their results. These are a position and, where
-/// there are masks, two tangents; none without a mask for the position.
+/// The limit masks of a scheme at a vertex as recorded operations, and the values that are their results. The results
+/// are a position and, if there are masks for them, two tangents; there are none without a mask for the position.
 struct recorded_masks {
     tape<double> done;
     std::vector<std::uint32_t> results;
@@ -53,13 +53,13 @@ recorded_masks record_masks(const Scheme& scheme, const basic_mesh<>& mesh, int 
     return result;
 }
 
-/// The limit masks of a scheme at a vertex that is regular like all others within their rings: the way to the points
-/// that they read, and a program.
+/// The limit masks of a scheme at a regular vertex all of whose rings are regular: the way to the points that they
+/// read, and a program.
 class regular_masks {
 public:
-    /// Returns the masks on levels of this generation whose faces have this degree; nothing where there is none for
-    /// the position, or where the masks read more than their rings. Preconditions: the masks of the scheme are alike
-    /// at regular vertices, and it has no state. Cost: that of some hundred masks.
+    /// Returns the masks on levels of this generation whose faces have this degree. The result is nothing if there is
+    /// no mask for the position, or if the masks read more than their rings. Preconditions: the masks of the scheme are
+    /// alike at regular vertices, and it has no state. Cost: that of some hundred masks.
     template <scheme Scheme>
     static std::optional<regular_masks> of(const Scheme& scheme, std::size_t degree, int generation)
     {
@@ -73,7 +73,7 @@ public:
         return made_of(record_masks(scheme, mesh, generation, walk), walk);
     }
 
-    /// Returns steps that each reach one more corner, as those of a regular_walk do.
+    /// Returns the steps, each of which reaches one more corner, as the steps of a regular_walk do.
     [[nodiscard]] std::span<const corner_from> steps() const { return steps_; }
     /// Returns the number of corners of the vertex, which are reached first.
     [[nodiscard]] std::size_t valence() const { return valence_; }
@@ -109,7 +109,7 @@ KITH_IN_LIBRARY std::optional<regular_masks> regular_masks::made_of(const record
 KITH_IN_LIBRARY void regular_masks::take_ways(const regular_walk& walk)
 {
     valence_ = walk.valence;
-    std::vector<std::uint16_t> number(walk.steps.size() + 1, 0); // of the corners that are reached; 0 if not needed
+    std::vector<std::uint16_t> number(walk.steps.size() + 1, 0); // of the reached corners; 0 if not needed
     for (std::size_t r = 1; r < valence_; ++r)
         number[r] = 1;
     for (const std::uint32_t input : program_.inputs())
@@ -126,12 +126,12 @@ KITH_IN_LIBRARY void regular_masks::take_ways(const regular_walk& walk)
 }
 #endif
 
-/// The arrays that limits are written into, by vertex.
+/// The arrays by vertex that limits are written into.
 struct limit_places {
     std::array<double, 3>* positions;
     std::array<double, 3>* normals;
     unsigned char* has_no_normal;
-    unsigned char* is_open; ///< whether the limits of a vertex are still to be made
+    unsigned char* is_open; ///< set while the limits of a vertex are not made
 };
 
 } // namespace kith::detail

@@ -15,8 +15,8 @@
 
 namespace kith::detail {
 
-/// Returns a torus of quads or triangles, all of whose vertices are regular: `size` of them each way.
-/// Precondition: degree is 3 or 4, and size at least 3.
+/// Returns a torus of quads or triangles with size x size vertices, all of which are regular. Precondition: degree is 3
+/// or 4, and size at least 3.
 basic_mesh<> regular_torus(std::size_t degree, std::size_t size);
 #ifdef KITH_HAS_BODIES
 KITH_IN_LIBRARY basic_mesh<> regular_torus(std::size_t degree, std::size_t size)
@@ -37,21 +37,21 @@ KITH_IN_LIBRARY basic_mesh<> regular_torus(std::size_t degree, std::size_t size)
 }
 #endif
 
-/// A corner of a face that was reached by another one of its corners.
+/// A corner of a face, given relative to the corner by which the face was reached.
 struct corner_from {
     std::uint16_t reached; ///< the number of the corner by which the face was reached
-    std::uint16_t on;      ///< so many corners on from there
+    std::uint16_t on;      ///< number of corners from there to this one, around the face
 };
 
 /// The ways from the first corner of a regular vertex to the vertices of the faces within some rings of faces around
 /// its own. They do not depend on where the faces and the other fans begin.
 struct regular_walk {
-    std::vector<corner_from> steps;     ///< each reaches one more corner: that across from the edge after this one
+    std::vector<corner_from> steps;     ///< each reaches one more corner: the one across the edge after this one
     std::vector<corner_from> vertices;  ///< the vertex itself comes first
-    std::vector<std::uint32_t> numbers; ///< of these vertices in the mesh where the walk was made
-    std::size_t valence;                ///< so many corners are reached first, those of the vertex
+    std::vector<std::uint32_t> numbers; ///< of these vertices, in the mesh in which the walk was made
+    std::size_t valence;                ///< number of corners of the vertex, which are reached first
 
-    /// Precondition: the mesh is closed and all its faces have one degree.
+    /// Takes the walk around a vertex of a mesh. Precondition: the mesh is closed and all its faces have one degree.
     regular_walk(const connectivity<std::uint32_t>& mesh, std::size_t vertex, int rings);
 
 private:
@@ -70,7 +70,7 @@ private:
                 reach(next);
             }
     }
-    /// Precondition: the face of the corner has been reached.
+    /// Returns a corner relative to the corner by which its face was reached. Precondition: the face has been reached.
     [[nodiscard]] corner_from from_reached(std::uint32_t corner) const
     {
         const std::uint32_t by = reached_by_[mesh_.face_of(corner)];
@@ -78,7 +78,7 @@ private:
     }
 
     const connectivity<std::uint32_t>& mesh_;
-    std::vector<std::uint32_t> reached_, reached_by_; // corners, a face each; by faces, which of these corners
+    std::vector<std::uint32_t> reached_, reached_by_; // the corner that reached each face, and its index by face
 };
 
 #ifdef KITH_HAS_BODIES
@@ -103,9 +103,9 @@ KITH_IN_LIBRARY regular_walk::regular_walk(const connectivity<std::uint32_t>& me
 }
 #endif
 
-/// Marks the vertices around which a mask within some rings may meet state, a boundary, a face of another degree or a
-/// vertex of another valence. Without rings, boundaries and valences are not marked, since they show in the faces of a
-/// vertex. Returns an empty list if no vertex can need a mark. Cost: O(corners).
+/// Returns a mark for each vertex around which a mask within some rings may meet an irregularity: state, a boundary, a
+/// face of another degree or a vertex of another valence. Without rings, boundaries and valences are not marked, since
+/// the faces of a vertex show them. The list is empty if no vertex can need a mark. Cost: O(corners).
 template <std::unsigned_integral Index>
 std::vector<unsigned char> irregular_vertices(const connectivity<Index>& mesh, state_marks<Index> state,
                                               std::size_t degree, std::size_t valence, int rings)

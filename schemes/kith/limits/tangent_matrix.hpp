@@ -16,8 +16,8 @@ namespace kith {
 
 namespace detail {
 
-/// Tangent masks have weights without bounds where a surface has no tangent plane: Catmull-Clark's inside, of valence
-/// 2.
+/// Returns true if all weights are finite. Tangent masks have infinite weights if a surface has no tangent plane: those
+/// of Catmull-Clark at inner vertices of valence 2.
 inline bool has_finite_weights(const stencil_row& row)
 {
     return std::ranges::all_of(row.entries, [](const auto& entry) { return std::isfinite(entry.second); });
@@ -31,11 +31,11 @@ struct tangent_matrices {
     subdivision_matrix first, second;
 };
 
-/// The tangents at the vertices of level `to`, from the vertices of level `from`, by the closed masks that
-/// limit_normals takes, so normalised cross products are those. Where no mask is known on level `to`, or it has no
-/// finite weights, both rows are empty; docs/schemes.md, Limit, says where that is. Rows sum to zero; how long a
-/// tangent is depends on the mask. For schemes with tangent masks.
-/// Errors: mesh_error unless from <= to. Cost: as that of matrix(from, to).
+/// Returns the tangents at the vertices of level `to` as weights of the vertices of level `from`. They use the
+/// closed-form masks of limit_normals, so their normalised cross products are its normals. Both rows are empty if no
+/// mask is known on level `to`, or it has no finite weights; docs/schemes.md, Limit, lists these cases. Rows sum to
+/// zero; the length of a tangent depends on the mask. For schemes with tangent masks. Errors: mesh_error unless from <=
+/// to. Cost: as that of matrix(from, to).
 template <mesh M, scheme Scheme>
 tangent_matrices tangent_matrices_of(const hierarchy<M, Scheme>& levels, int from, int to)
 {

@@ -22,8 +22,8 @@ using normal_vector = std::array<double, 3>;
 
 namespace detail {
 
-/// std::ilogb and std::scalbn where they only shift the bits of the exponent, which their calls take many
-/// times as long for.
+/// Returns the result of std::ilogb; times_power_of_two that of std::scalbn. In usual cases both only shift the bits of
+/// the exponent, since the calls take many times as long.
 inline int exponent_of(double x)
 {
     const int biased = int(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
@@ -36,7 +36,7 @@ inline double times_power_of_two(double x, int exponent)
     return std::scalbn(x, exponent);
 }
 
-/// The exponent of the largest coordinate of some vectors; that of the smallest number for zeros.
+/// The exponent of the largest coordinate of some vectors; that of the smallest number if all are zero.
 class common_exponent {
 public:
     template <class Vector>
@@ -70,7 +70,8 @@ inline bool is_finite(const normal_vector& v)
     return std::isfinite(v[0]) and std::isfinite(v[1]) and std::isfinite(v[2]);
 }
 
-/// The bits of the exponent of the largest coordinate: nothing is branched on, since signs and sizes are in no order.
+/// Returns the bits of the exponent of the largest coordinate. It does not branch, since signs and sizes are in no
+/// order.
 inline std::uint64_t exponent_bits(const normal_vector& v)
 {
     std::uint64_t largest = 0;
@@ -78,13 +79,13 @@ inline std::uint64_t exponent_bits(const normal_vector& v)
         largest = std::max(largest, std::bit_cast<std::uint64_t>(x) << 1);
     return largest >> 53;
 }
-/// An exponent with these bits can be brought to zero by one multiplication.
+/// Returns true if one multiplication can bring an exponent with these bits to zero.
 inline bool is_usual(std::uint64_t exponent_bits)
 {
     return 0 < exponent_bits and exponent_bits < 0x7fe;
 }
 
-/// Brings the largest coordinate near to one, which changes no other bit.
+/// Returns the vector times a power of two that brings its largest coordinate near to one. No other bit changes.
 inline normal_vector brought_near_one(const normal_vector& v)
 {
     if (const std::uint64_t bits = exponent_bits(v); is_usual(bits)) [[likely]] {
@@ -103,7 +104,7 @@ inline double length_of(const normal_vector& n)
 
 } // namespace detail
 
-/// The vector of length one in the direction of v, whatever its size; nothing for zero and for what is not finite.
+/// Returns the vector of length one in the direction of v, whatever the size of v; nothing if v is zero or not finite.
 template <class Vector>
 inline std::optional<normal_vector> unit_vector(const Vector& v)
 {
@@ -139,7 +140,7 @@ inline bool is_usual_square(double square)
 
 } // namespace detail
 
-/// The unit normal of the plane of two vectors, counter-clockwise; nothing where they are parallel or not finite.
+/// Returns the unit normal of the plane of two vectors, counter-clockwise; nothing if they are parallel or not finite.
 template <class Vector>
 inline std::optional<normal_vector> unit_normal(const Vector& first, const Vector& second)
 {
@@ -155,10 +156,10 @@ inline std::optional<normal_vector> unit_normal(const Vector& first, const Vecto
     return n;
 }
 
-/// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one;
-/// zero where no face has an area, or where they cancel out, as those of two faces back to back do.
-/// Sums are formed with exponents of their own, so that they neither overflow nor vanish.
-/// Precondition: `wanted` is empty, which means all, or has a mark per vertex. Cost: O(corners).
+/// Returns for each wanted vertex the unit vector of the mean of its faces' normals, each weighed by its area (Newell's
+/// formula). The result is zero if no face has an area, or if the normals cancel out, as those of two faces back to
+/// back do. Sums are formed with an exponent per vertex, so that they neither overflow nor vanish. Precondition:
+/// `wanted` is empty, which means all, or has a mark per vertex. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
                                              std::span<const unsigned char> wanted = {})
@@ -176,7 +177,7 @@ std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mes
             for (const int exponent = exponent_of(f); const Index v : face)
                 exponents[v] = std::max(exponents[v], exponent);
     std::vector<normal_vector> result(mesh.vertex_count(), normal_vector{});
-    std::vector<double> total(mesh.vertex_count(), 0); // length of what is added
+    std::vector<double> total(mesh.vertex_count(), 0); // sum of the lengths of the added normals
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const auto face = mesh.face(f);
         if (std::ranges::none_of(face, is_wanted))

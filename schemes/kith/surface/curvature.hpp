@@ -15,16 +15,15 @@
 
 namespace kith {
 
-/// Curvatures of a surface at a place: positive where it bends towards its normal, so negative on a sphere seen from
-/// outside.
+/// The curvatures of a surface at a place. They are positive if the surface bends towards its normal, so negative on a
+/// sphere seen from outside.
 struct surface_curvature {
     double mean, gaussian;
     double least, most; ///< the principal curvatures
 };
 
-/// Returns the unit normals at places, outward for counter-clockwise faces. A normal is zero where du and dv are
-/// parallel or no numbers. For points of three coordinates. Precondition: the first derivatives were asked for.
-/// Cost: O(places).
+/// Returns the unit normals at places, outward for counter-clockwise faces. A normal is zero if du and dv are parallel
+/// or NaN. For points of three coordinates. Precondition: the first derivatives were asked for. Cost: O(places).
 template <class Point>
 storage<normal_vector> normals_of(const surface_values<Point>& values)
 {
@@ -35,8 +34,8 @@ storage<normal_vector> normals_of(const surface_values<Point>& values)
     return result;
 }
 
-/// Returns the curvatures at places, which are no numbers where the second derivatives are none. For points of three
-/// coordinates. Precondition: the second derivatives were asked for. Cost: O(places).
+/// Returns the curvatures at places; they are NaN if the second derivatives are. For points of three coordinates.
+/// Precondition: the second derivatives were asked for. Cost: O(places).
 template <class Point>
 storage<surface_curvature> curvatures_of(const surface_values<Point>& values)
 {

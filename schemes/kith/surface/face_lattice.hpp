@@ -18,8 +18,8 @@
 namespace kith::detail {
 
 /// Places at the same parameters in faces of one shape, ready to be evaluated for the points around each of the faces.
-/// Points are those of the polynomials that the places lie in, to the bit, or, where that takes less time, sums with
-/// weights that are made once for all faces. Has unit normals, too, if they are asked for.
+/// The points are those of the polynomials that contain the places, to the bit. If it takes less time, they are sums
+/// with weights that are made once for all faces. The object has unit normals, too, if `HasNormals` is set.
 template <bool HasNormals>
 class face_lattice {
     using point = std::array<double, 3>;
@@ -27,7 +27,7 @@ class face_lattice {
     static constexpr std::size_t outputs = values::outputs;
 
 public:
-    /// Takes places of a face of a shape that are evaluated for about so many faces. Cost: that of locating and
+    /// Takes places of a face of a shape that are evaluated for about `faces` faces. Cost: that of locating and
     /// evaluating them once or, with weights, as often as a face has control points.
     template <class Search, class Shape>
     face_lattice(Search& search, Shape& shape, std::size_t corner, std::span<const std::array<double, 2>> parameters,
@@ -51,8 +51,8 @@ public:
             make_weights();
     }
 
-    /// Takes the control points around a face: control_of(input) returns each. If there are rows, those of the shape
-    /// are weighted sums of these.
+    /// Takes the control points around a face: control_of(input) returns each. If there are rows, the control points of
+    /// the shape are weighted sums of these.
     template <class ControlOf>
     void move_to(const subdivision_matrix* rows, const ControlOf& control_of)
     {
@@ -63,7 +63,7 @@ public:
             net_.push_back(number::load(control_of(input)));
         take_inputs([&](std::size_t input) { return piece_values<point>::row_of(*rows, input, net_.data()); });
     }
-    /// Calls take(i, values, j) for the places from one to another: place i is number j of the values.
+    /// Calls take(i, values, j) for the places in [begin, end): place i is number j of the values.
     template <class Take>
     void evaluate(std::size_t begin, std::size_t end, const Take& take)
     {
@@ -78,12 +78,12 @@ public:
 
 private:
     using number = fast_affine<point>;
-    static constexpr std::size_t at_once = 4; // places of weights side by side
+    static constexpr std::size_t at_once = 4; // number of places whose weights are stored side by side
 
     /// Returns true if sums of all control points take less time than polynomials. Counts operations.
     [[nodiscard]] bool weights_pay(std::size_t faces) const
     {
-        constexpr double of_sum = 5, of_sum_side_by_side = 7; // of a weighted point
+        constexpr double of_sum = 5, of_sum_side_by_side = 7; // cost of a weighted point
         constexpr std::size_t most_weights = std::size_t(1) << 20;
         if (all_.places.size() * outputs * inputs_ > most_weights)
             return false;
@@ -103,7 +103,7 @@ private:
         const double to_make_them = by_pieces * double(inputs_) / 2 / double(faces);
         return by_weights + to_make_them < by_pieces;
     }
-    /// Returns the end of the places on the line of constant t of one of them.
+    /// Returns the end of the places on the same line of constant t as the first one.
     [[nodiscard]] std::size_t end_of_line(std::size_t first, std::size_t end) const
     {
         std::size_t last = first + 1;
@@ -188,7 +188,7 @@ private:
         if constexpr (HasNormals)
             values_.template make_normals<Pack>(end - begin);
     }
-    /// Evaluates places on one line of a piece, from one on. Returns the end of the line.
+    /// Evaluates the places on one line of a piece, beginning with `first`. Returns the end of the line.
     template <class Pack>
     [[gnu::always_inline]] std::size_t add_line(std::size_t begin, std::size_t first, std::size_t end)
     {
@@ -210,8 +210,8 @@ private:
     std::vector<double> s_; // of the places
     piece_values<point> of_pieces_;
     typename values::line line_{};
-    std::vector<typename number::sum> net_; // around a face, of which the inputs are sums
-    std::vector<double> weights_;           // none: by pieces
+    std::vector<typename number::sum> net_; // around a face; the inputs are sums of it
+    std::vector<double> weights_;           // empty if polynomials are evaluated
     std::vector<point> control_;
     values values_;
 };

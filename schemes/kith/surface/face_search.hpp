@@ -17,13 +17,13 @@
 
 namespace kith::detail {
 
-/// The shape of a class of faces, and how the inputs around a face of it are found.
+/// The shape of a class of faces, and the way to the inputs around a face of the class.
 template <std::unsigned_integral Index, class Shape>
 struct face_neighbourhood {
     Shape* around = nullptr;
     std::vector<Index> control{};         ///< the inputs among the control values, of a face alone or of the model
     std::vector<walk_step> steps{};       ///< from a face of the class
-    std::vector<walked_element> inputs{}; ///< where the walk meets the inputs
+    std::vector<walked_element> inputs{}; ///< the places on the walk at which the inputs lie
 };
 
 /// The memory of a thread that locates places.
@@ -36,7 +36,7 @@ public:
 
     face_search(const connectivity<Index>& mesh, Shapes& all) : shapes_(&all), finder_(mesh) {}
 
-    /// Locates places of one face, those with these numbers. Writes them to `found`, and appends nets and pieces to
+    /// Locates the places of one face, given by their numbers. Writes them to `found`, and appends nets and pieces to
     /// `result`. `end` is the number of places up to the last one of the face. Errors: mesh_error for a place that a
     /// boundary cuts off.
     void locate(const neighbourhood& here, Index face, std::span<const surface_place> places,
@@ -93,12 +93,12 @@ public:
 private:
     struct found_net {
         shape* of;
-        std::vector<std::size_t> children; // their nets, or 0
+        std::vector<std::size_t> children; // indices of their nets, or 0
     };
 
     Shapes* shapes_;
     element_finder<Index, 1> finder_;
-    std::vector<found_net> nets_; // in the face at work
+    std::vector<found_net> nets_; // of the current face
 };
 
 } // namespace kith::detail

@@ -13,7 +13,7 @@
 
 namespace kith::detail {
 
-/// Numbers side by side, scaled by numbers and added.
+/// The operations of a value on packs: numbers side by side, scaled by numbers and added.
 template <class Pack>
 struct pack_number {
     using sum = Pack;
@@ -27,22 +27,22 @@ struct pack_number {
     }
 };
 
-/// Points of some places, and unit normals, coordinate by coordinate. Its functions make several places side by side: a
-/// Pack is a double or a register of doubles.
+/// The points of some places, and unit normals, coordinate by coordinate. The functions make several places side by
+/// side: a Pack is a double or a register of doubles.
 template <bool HasNormals>
 class lattice_values {
 public:
     static constexpr std::size_t outputs = HasNormals ? 3 : 1; ///< the point; with du and dv for the normal
     static constexpr std::size_t most = 64;
-    static constexpr std::size_t room_after = 8; ///< places after the last one that may be written
+    static constexpr std::size_t room_after = 8; ///< number of places after the last one that may be written
     /// The coefficients of the powers of s on a line of constant t, with their derivatives.
     using line = std::array<std::array<std::array<double, 3>, outputs>, surface_polynomial::most_degree + 1>;
 
     [[nodiscard]] std::array<double, 3> point(std::size_t i) const { return {at(0, 0)[i], at(0, 1)[i], at(0, 2)[i]}; }
-    /// Returns the normal, which is zero where it is not known.
+    /// Returns the normal, which is zero if it is not known.
     [[nodiscard]] normal_vector normal(std::size_t i) const { return {normals_[0][i], normals_[1][i], normals_[2][i]}; }
 
-    /// Evaluates so many places on a line of a piece, from a place on.
+    /// Evaluates `count` places on a line of a piece and writes them from place `to` on.
     template <class Pack>
     [[gnu::always_inline]] void add_line(std::size_t to, const surface_piece& piece, const line& of_t, const double* s,
                                          std::size_t count)
@@ -54,7 +54,7 @@ public:
             for (std::size_t x = 0; x < 3; ++x) {
                 const auto write_row = [&](std::size_t power, std::array<Pack, outputs>& row) {
                     for (std::size_t output = 0; output < outputs; ++output)
-                        row[output] = of_t[power][output][x] - Pack{}; // as minus zero stays what it is
+                        row[output] = of_t[power][output][x] - Pack{}; // so that minus zero keeps its sign
                 };
                 std::array<Pack, outputs> made{};
                 polynomial_values<number>::template evaluate<outputs>(*piece.polynomial, at_s, write_row, made);
@@ -120,7 +120,7 @@ private:
     template <class Pack>
     static constexpr std::size_t size = sizeof(Pack) / sizeof(double);
 
-    // Not by memcpy, which g++ makes two halves of, for whose stores the next load of a register waits.
+    // Not by memcpy: g++ makes two halves of it, for whose stores the next load of a register waits.
     template <class Pack>
     [[gnu::always_inline]] static void load(const double* from, Pack& to)
     {

@@ -25,8 +25,8 @@ namespace kith {
 /// The derivatives of a limit surface that a caller asks for; second ones come with first ones.
 enum class derivatives : unsigned char { none, first, second };
 
-/// Values of a limit surface at some places, in the order of the places, and their derivatives by the parameters of the
-/// faces. Derivatives that were not asked for are empty.
+/// The values of a limit surface at some places, in the order of the places, and their derivatives by the parameters of
+/// the faces. Derivatives that were not asked for are empty.
 template <class T>
 struct surface_values {
     storage<T> points;
@@ -39,16 +39,16 @@ struct surface_values {
 class located_places {
 public:
     located_places() = default;
-    /// Takes over what `surface_locator` has found.
+    /// Takes the results of `surface_locator`.
     explicit located_places(detail::placed_pieces pieces) : all_(std::move(pieces)) {}
 
     [[nodiscard]] std::size_t size() const { return all_.places.size(); }
 
-    /// Returns the values of the limit surface for a value per vertex of the control mesh, such as points, colours or
-    /// rows of weights, and their derivatives; for a value per corner if the places were located for those. See
-    /// `surface_locator` for what is not known at irregular vertices; such derivatives are no numbers. Runs on the
-    /// threads of OpenMP where values are plain bytes. Errors: mesh_error unless there is a value for each.
-    /// Cost: O(places), and for each face with places that of a product with a matrix of some dozen rows.
+    /// Returns the values of the limit surface and their derivatives. `control` has a value per vertex of the control
+    /// mesh, such as points, colours or rows of weights; a value per corner if the places were located for those.
+    /// Derivatives that are not known at irregular vertices (see `surface_locator`) are NaN. Runs on the threads of
+    /// OpenMP if values are plain bytes. Errors: mesh_error unless there is a value for each vertex or corner. Cost:
+    /// O(places), and for each face with places that of a product with a matrix of some dozen rows.
     template <affine_value T>
     [[nodiscard]] surface_values<T> evaluate(std::span<const T> control, derivatives wanted = derivatives::none) const
     {
@@ -89,7 +89,7 @@ public:
     }
 
     /// Returns the weights of the control vertices in the values at the places, a row per place, and in derivatives.
-    /// Errors: mesh_error where a derivative is asked for that is not known. Cost: O(entries log of them).
+    /// Errors: mesh_error if a derivative is asked for that is not known. Cost: O(n log n) for n entries.
     [[nodiscard]] surface_values<stencil_row> weights(derivatives wanted = derivatives::none) const
     {
         for (std::size_t group = 0; group < all_.groups.size(); ++group)
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    /// Returns the end of all that belongs to the faces before one, or before a group.
+    /// Returns the end of the data of all faces before a face; begin_of_group that of all before a group.
     [[nodiscard]] detail::end_of_face begin_of_face(std::size_t face) const
     {
         return face == 0 ? detail::end_of_face{0, 0, 0} : all_.faces[face - 1];

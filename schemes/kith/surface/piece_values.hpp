@@ -15,8 +15,8 @@
 
 namespace kith::detail {
 
-/// Replaces the derivatives of a value by the parameters of a piece with those by the parameters of the face.
-/// Derivatives that are not known become no numbers.
+/// Replaces the derivatives of a value by the parameters of a piece with those by the parameters of the face. Unknown
+/// derivatives become NaN.
 template <class Number, std::size_t Outputs>
 [[gnu::always_inline]] inline void take_parameters_of_face(const surface_piece& at,
                                                            std::array<typename Number::sum, Outputs>& values)
@@ -102,7 +102,7 @@ public:
     }
 
     /// Returns the value at a place of a piece and, if there are 3 or 6 outputs, its derivatives by u and v: du, dv,
-    /// duu, duv, dvv. Derivatives that are not known are no numbers.
+    /// duu, duv, dvv. Unknown derivatives are NaN.
     template <std::size_t Outputs>
     [[nodiscard]] std::array<sum, Outputs> at(const surface_piece& piece, const placed_parameters& here) const
     {

@@ -17,49 +17,50 @@ namespace kith {
 
 namespace detail {
 
-/// Parameters in a piece of a limit surface, and the number of the place that they are of.
+/// The parameters of a place in a piece of a limit surface, and the number of the place.
 struct placed_parameters {
     double s, t;
-    std::size_t piece; ///< among those of the face; when there are groups, of the group
+    std::size_t piece; ///< index among the pieces of the face or, if there are groups, of the group
     std::size_t number;
 };
-/// The inputs around a face that has places, or around a face that steps make of it.
+/// The inputs around a face with places, or around a face that steps make of it.
 struct surface_net {
-    const subdivision_matrix* rows; ///< over those of `parent`; nullptr around a face of the control mesh
-    std::size_t parent;             ///< among the nets of the face; for a face of the control mesh where in the list of
-                                    ///< control values its own begin
+    const subdivision_matrix* rows; ///< over the inputs of `parent`; nullptr around a face of the control mesh
+    std::size_t parent;             ///< index among the nets of the face; around a face of the control mesh the index
+                                    ///< of its first input
     std::size_t size;
 };
 /// A polynomial of a limit surface that has places.
 struct surface_piece {
     const surface_polynomial* polynomial;
-    std::size_t net;           ///< over whose points, among those of the face
+    std::size_t net;           ///< index of the net of its points, among the nets of the face
     double s_u, s_v, t_u, t_v; ///< derivatives of its parameters by those of the face
 
     friend bool operator==(const surface_piece&, const surface_piece&) = default;
 };
-/// The end of what belongs to one face of the control mesh.
+/// The end of the data of one face of the control mesh.
 struct end_of_face {
     std::size_t nets, pieces, places;
 };
-/// The end of what belongs to a group of faces, whose coefficients are known at the same time.
+/// The end of the data of a group of faces, whose coefficients are stored at the same time.
 struct end_of_group {
     std::size_t faces, places;
 };
 
 /// The parts of `located_places`, face by face.
 struct placed_pieces {
-    std::size_t values = 0; ///< of the control mesh: one for each vertex, or for each corner
+    std::size_t values = 0; ///< number of control values: one for each vertex or corner of the control mesh
     bool are_at_corners = false;
-    std::vector<std::size_t> inputs{}; ///< those around the faces
+    std::vector<std::size_t> inputs{}; ///< indices of the control values around the faces
     std::vector<surface_net> nets{};   ///< each after its parent
     std::vector<surface_piece> pieces{};
-    std::vector<placed_parameters> places{}; ///< face by face; in a group by their numbers
+    std::vector<placed_parameters> places{}; ///< face by face; in a group sorted by their numbers
     std::vector<end_of_face> faces{};
     std::vector<end_of_group> groups{};
-    std::shared_ptr<const void> owner{}; ///< of polynomials and rows
+    std::shared_ptr<const void> owner{}; ///< keeps polynomials and rows alive
 
-    /// Appends the faces of another object. Its places are among those of this one already, and there are no groups.
+    /// Appends the faces of another object. The places of these faces are already in this object, and there are no
+    /// groups.
     void append(placed_pieces&& more)
     {
         const std::size_t inputs_before = inputs.size(), nets_before = nets.size(), pieces_before = pieces.size();
@@ -80,15 +81,15 @@ struct placed_pieces {
         for (const end_of_face& end : more.faces)
             faces.push_back({end.nets + nets_before, end.pieces + pieces_before, end.places});
     }
-    /// Groups faces that follow each other, as many as have coefficients that fit in a cache and as leave some groups
-    /// for each of so many threads. Sorts the places of each group by their numbers, for values that are written in
-    /// order take less time. Cost: O(places).
+    /// Groups consecutive faces. A group has as many faces as have coefficients that fit in a cache, and there are some
+    /// groups for each of `threads` threads. Sorts the places of each group by their numbers, since values that are
+    /// written in order take less time. Cost: O(places).
     void make_groups(std::size_t threads)
     {
         const std::size_t most_pieces = std::clamp<std::size_t>(pieces.size() / (4 * threads), 64, 1024);
         std::vector<std::uint32_t> group_of(places.size());
-        std::vector<std::size_t> next; // of the positions of each group
-        std::size_t first_piece = 0;   // of the group
+        std::vector<std::size_t> next; // the next free position in each group
+        std::size_t first_piece = 0;   // of the current group
         for (std::size_t f = 0; f < faces.size(); ++f) {
             const end_of_face before = f == 0 ? end_of_face{0, 0, 0} : faces[f - 1];
             if (groups.empty() or faces[f].pieces - first_piece > most_pieces) {

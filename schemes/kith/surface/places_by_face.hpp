@@ -16,8 +16,8 @@ namespace kith::detail {
 
 /// The numbers of places in the order of the faces that they lie in.
 struct places_by_face {
-    /// Faces with `sides` corners have parameters of their own. Errors: mesh_error for what is no place.
-    /// Cost: O(places + faces).
+    /// Takes places and sorts them by faces. Faces with `sides` corners have parameters of their own; others have
+    /// sub-faces. Errors: mesh_error for a place that does not exist. Cost: O(places + faces).
     template <std::unsigned_integral Index>
     places_by_face(const connectivity<Index>& mesh, std::size_t sides, std::span<const surface_place> places)
         : numbers(places.size()), ends(mesh.faces + 1, 0)

@@ -15,8 +15,8 @@
 
 namespace kith {
 
-/// Places at which an integrand is evaluated, and the weight of each in the parameters u and v. The integral over the
-/// surface is the sum of weight * |du x dv| * integrand.
+/// The places at which an integrand is evaluated, and the weight of each in the parameters u and v. The integral over
+/// the surface is the sum of weight * |du x dv| * integrand.
 struct surface_quadrature {
     std::vector<surface_place> places; ///< face by face
     std::vector<double> weights;       ///< their sum is 1 in a quad or sub-face and 1/2 in a triangle
@@ -24,7 +24,7 @@ struct surface_quadrature {
 
 namespace detail {
 
-/// A point of a rule of quadrature. A point of a line has v = 0.
+/// A point of a quadrature rule. Points of a rule on a line have v = 0.
 struct quadrature_point {
     double u, v, weight;
 };
@@ -60,8 +60,8 @@ inline std::vector<quadrature_point> square_points(int per_direction)
     return result;
 }
 
-/// Returns a symmetric rule on the triangle u, v >= 0, u + v <= 1 (Strang & Fix 1973, Dunavant 1985). Of 1, 3, 6 or 12
-/// points, exact for polynomials of degree 1, 2, 4 or 6.
+/// Returns a symmetric rule on the triangle u, v >= 0, u + v <= 1 (Strang & Fix 1973, Dunavant 1985). It has 1, 3, 6 or
+/// 12 points and is exact for polynomials of degree 1, 2, 4 or 6.
 inline std::vector<quadrature_point> triangle_points(int per_direction)
 {
     // Two barycentric coordinates, and the weight of each point that is a permutation of them.
@@ -93,14 +93,14 @@ inline std::vector<quadrature_point> triangle_points(int per_direction)
 
 } // namespace detail
 
-/// Returns places and weights that integrate over the limit surface of a mesh. No place lies on an edge or a vertex,
-/// so that all derivatives exist.
+/// Returns places and weights that integrate over the limit surface of a mesh. No place lies on an edge or a vertex, so
+/// that all derivatives exist.
 ///
 /// A quad, or a sub-face of another polygon, has the tensor product of Gauss's rule: n points per direction are exact
 /// for polynomials of degree 2n - 1 in u and in v. A triangle of Loop's scheme has a symmetric rule of 1, 3, 6 or 12
-/// points for n = 1, 2, 3 or 4, exact for total degree 1, 2, 4 or 6. Beside an irregular vertex the surface has
-/// infinitely many pieces, and these rules converge more slowly there; refine the mesh for more accuracy.
-/// Errors: mesh_error unless there are 1 to 4 points per direction. Cost: O(places).
+/// points for n = 1, 2, 3 or 4. It is exact for total degree 1, 2, 4 or 6. Beside an irregular vertex the surface has
+/// infinitely many pieces, and these rules converge more slowly there; refine the mesh for more accuracy. Errors:
+/// mesh_error unless there are 1 to 4 points per direction. Cost: O(places).
 template <std::unsigned_integral Index, class Point, parametric_scheme Scheme>
 surface_quadrature quadrature_places(const basic_mesh<Point, Index>& mesh, const Scheme&, int points_per_direction)
 {

@@ -20,8 +20,8 @@
 
 namespace kith::detail {
 
-/// Evaluates places at the same parameters in many faces of a limit surface: what they share is made once for the faces
-/// that look alike. Uses a locator, which must outlive this object.
+/// The evaluation of places at the same parameters in many faces of a limit surface. Shared data are made once for all
+/// faces that look alike. It uses a locator, which must outlive this object.
 template <parametric_scheme Scheme, std::unsigned_integral Index>
 class surface_lattices {
 public:
@@ -32,9 +32,9 @@ public:
 
     explicit surface_lattices(surface_locator<Scheme, Index>& surface) : surface_(&surface) {}
 
-    /// Calls body(r, lattice) for each request, on threads, in no order: the face_lattice has the parameters
-    /// parameters_of(list) and the control points around the face. `places` is about the number of places.
-    /// Errors: mesh_error for faces that the scheme has no parameters for.
+    /// Calls body(r, lattice) for each request, on threads, in no order. The face_lattice has the parameters
+    /// parameters_of(list) and the control points around the face. `places` is about the number of places. Errors:
+    /// mesh_error for faces for which the scheme has no parameters.
     template <bool HasNormals, affine_value T, class ParametersOf, class Body>
     void for_each(std::span<const request> requests, std::span<const T> control, std::size_t places,
                   const ParametersOf& parameters_of, const Body& body)
@@ -82,11 +82,11 @@ private:
     using neighbourhood = typename locator::neighbourhood;
     using shape = typename locator::shapes::shape;
 
-    /// The place of a request in an order in which those with the same lattice follow each other.
+    /// The place of a request in an order in which requests with the same lattice follow each other.
     struct key {
         std::size_t shape_number, list, corner, request;
         shape* of;
-        const subdivision_matrix* rows; ///< of its inputs over those around the face; nullptr for the same ones
+        const subdivision_matrix* rows; ///< of its inputs over those around the face; nullptr if they are the same
         const neighbourhood* around;    ///< the face
 
         [[nodiscard]] auto numbers() const { return std::tuple(shape_number, list, corner, request); }

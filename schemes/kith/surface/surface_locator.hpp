@@ -37,27 +37,26 @@ class surface_lattices;
 
 } // namespace detail
 
-/// Finds places on the limit surface of a mesh, anywhere in its faces: the polynomial that the surface is there.
+/// A locator of places on the limit surface of a mesh, anywhere in its faces: it finds the polynomial of the surface
+/// there.
 ///
 /// The polynomial is the spline of the scheme in regular parts of the mesh, also beside boundaries and creases there.
-/// Elsewhere the locator refines what lies around a face by the scheme's own text, until the place lies in a regular
-/// part. So points are exact but for rounding: about 1e-15 of the control net. At an irregular vertex itself the point
+/// Elsewhere the locator refines the neighbourhood of a face by the scheme itself, until the place lies in a regular
+/// part. So points are exact up to rounding: about 1e-15 of the control net. At an irregular vertex itself the point
 /// and the tangent plane come from limit masks or from repeated steps. There du and dv are two tangents,
-/// counter-clockwise; their lengths have no meaning, for the derivatives by u and v are zero or infinite, and second
-/// derivatives are no numbers. On creases tangents are those of the side of the face; where creases meet some sides
-/// have none.
+/// counter-clockwise. Their lengths have no meaning, since the derivatives by u and v are zero or infinite, and second
+/// derivatives are NaN. On creases tangents are those of the side of the face; where creases meet some sides have none.
 ///
-/// Takes all schemes of the library, with all creases, and a user's own of such a split. Doo-Sabin and mid-edge have a
-/// surface in parts of the faces at a boundary, docs/how/surface.md. The degree of unified is at most 5. Of a scheme
-/// that is no spline among regular faces (Butterfly, Kobbelt, both sqrt3) places come from many steps; first
-/// derivatives have about seven digits, and second ones are no numbers. On boundaries of 4-8 and Doo-Sabin no
-/// derivatives are numbers.
-/// One thread at a time may use a locator. The mesh need not outlive it.
+/// A locator takes all schemes of the library, with all creases, and a user's own with such a split. Doo-Sabin and
+/// mid-edge have a surface in parts of the faces at a boundary, docs/how/surface.md. The degree of unified is at most
+/// 5. For a scheme that is no spline among regular faces (Butterfly, Kobbelt, both sqrt3) places come from many steps;
+/// first derivatives have about seven digits, and second ones are NaN. On boundaries of 4-8 and Doo-Sabin all
+/// derivatives are NaN. One thread at a time may use a locator. The mesh need not outlive it.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
 public:
-    /// Errors: mesh_error for everything that `validate` finds, for faces that the scheme does not take, and for
-    /// creases of another level. Cost: O(corners).
+    /// Takes a mesh and the scheme of its level. Errors: mesh_error for all faults that `validate` finds, for faces
+    /// that the scheme does not take, and for creases of another level. Cost: O(corners).
     template <std::same_as<Index> I, class Point>
     explicit surface_locator(const basic_mesh<Point, I>& mesh, const Scheme& scheme = Scheme())
         : surface_locator(mesh.topology(), mesh.generation(), checked(mesh, scheme))
@@ -71,16 +70,16 @@ public:
     surface_locator(const surface_locator&) = delete;
     surface_locator& operator=(const surface_locator&) = delete;
 
-    /// Returns places in the numbers of the faces of the mesh, ready to be evaluated for values at its vertices.
-    /// Runs on threads, to the same bits on any number of them.
-    /// Errors: mesh_error, with the number of the place, for a face or corner that does not exist, for parameters
-    /// outside of the face, and for a part of the face that a boundary cuts off. Cost: O(places), and that of a few
-    /// steps around a face for each kind of irregular face. Of a polygon or fan of n corners that is O(n^2).
+    /// Returns the located places, ready to be evaluated for values at the vertices. Places are given by the numbers of
+    /// the faces of the mesh. Runs on threads; the results are the same bits for any number of threads. Errors:
+    /// mesh_error, with the number of the place, for a face or corner that does not exist or parameters outside the
+    /// face; also for a part of the face that a boundary cuts off. Cost: O(places), and that of a few steps around a
+    /// face for each kind of irregular face: O(n^2) for a polygon or fan of n corners.
     [[nodiscard]] located_places locate(std::span<const surface_place> places);
-    /// Same, but for values at the corners of faces, such as texture coordinates with seams:
-    /// locate(places, on_corners(uv, face_varying{})). The seams are those of the field. Other values at corners can be
-    /// evaluated that have the same seams. Errors: also those of the rule, and mesh_error unless the field has a value
-    /// for each corner. Cost: also that of looking at the faces around each face with places.
+    /// Returns the same for values at the corners of faces, such as texture coordinates with seams: locate(places,
+    /// on_corners(uv, face_varying{})). The seams are those of the field; other values at corners with the same seams
+    /// can be evaluated, too. Errors: also those of the rule, and mesh_error unless the field has a value for each
+    /// corner. Cost: also that of reading the faces around each face with places.
     template <class T, marking_rule Rule>
     [[nodiscard]] located_places locate(std::span<const surface_place> places,
                                         const field<field_on::corners, T, Rule>& values);
@@ -120,7 +119,8 @@ private:
             return known->second;
         const Index model = model_of_class_[number];
         walk_.around(model);
-        // Classes know states that say where they are. Faces that meet themselves again may differ within a class.
+        // Classes only know states that list their elements. Faces that meet themselves again may differ within a
+        // class.
         if (not scheme_of_places<Scheme> or not walk_.is_disk())
             return alone_.emplace(face, neighbourhood_around(face)).first->second;
         of_class = neighbourhood_around(model);
@@ -151,7 +151,7 @@ private:
             input = part.cut.vertex_from[topology.corner_vertex[input]];
         return {around, std::move(control)};
     }
-    /// Same, but with the shape of values at corners.
+    /// Returns the same with the shape of values at corners.
     template <class T, class Rule>
     [[nodiscard]] auto neighbourhood_around(Index face, const field<field_on::corners, T, Rule>& values,
                                             detail::surface_shapes<Index, Scheme, Rule>& all)
@@ -167,7 +167,7 @@ private:
         return detail::face_neighbourhood<Index, typename detail::surface_shapes<Index, Scheme, Rule>::shape>{
             around, std::move(control)};
     }
-    /// Returns where the walk has met these vertices.
+    /// Returns the places at which the walk has met these vertices.
     [[nodiscard]] std::vector<walked_element> walked_inputs(std::span<const Index> vertices) const
     {
         std::unordered_map<Index, walked_corner> corners;
@@ -190,11 +190,11 @@ private:
     face_walk<Index> walk_;
     face_classes<Index> classes_;
     std::vector<neighbourhood> of_class_;
-    std::vector<Index> model_of_class_;              // the first face of each
-    std::unordered_map<Index, neighbourhood> alone_; // of faces that share nothing
+    std::vector<Index> model_of_class_;              // the first face of each class
+    std::unordered_map<Index, neighbourhood> alone_; // of faces that share no class
 };
 
-// Outside of the class, so that what declares it `extern template` does not compile them.
+// Defined outside the class, so that a program that declares it `extern template` does not compile its members.
 
 template <parametric_scheme Scheme, std::unsigned_integral Index>
 surface_locator<Scheme, Index>::surface_locator(const connectivity<Index>& topology, int generation,

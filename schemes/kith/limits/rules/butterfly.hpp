@@ -10,8 +10,9 @@
 
 namespace kith {
 
-/// Tangents inside, where the masks around v do not reach another irregular vertex: after one step, everywhere. Around
-/// an irregular vertex the cosines of the ring, around a regular one those of two rings. docs/schemes.md.
+/// The limit rules of Butterfly: tangents at inner vertices, if the masks around v reach no other irregular vertex.
+/// After one step this holds everywhere. Around an irregular vertex they are the cosines of the ring, around a regular
+/// one those of two rings. docs/schemes.md.
 template <>
 struct limit_rules<butterfly> : interpolating_limits {
     template <level Level, class Use>
@@ -27,7 +28,7 @@ struct limit_rules<butterfly> : interpolating_limits {
             return use_first_wave(v.neighbors(), n, use);
         const auto across = v.corners().map([](auto c) { return c.next().across().prev().v(); });
         const auto behind = v.corners().map([](auto c) { return c.next().across().next().across().prev().v(); });
-        const auto two_rings = [&](auto wave, auto between) { // of the ring, and of what lies between its points
+        const auto two_rings = [&](auto wave, auto between) { // of the ring, and of vertices between its points
             constexpr double sqrt3 = 1.7320508075688772935;
             return 16. * sum(v.neighbors(), wave) +
                    -8 / sqrt3 * sum(across, [between](std::size_t j) { return between(2 * j + 1); }) +
@@ -35,7 +36,7 @@ struct limit_rules<butterfly> : interpolating_limits {
         };
         use(two_rings(cosine_wave(6), cosine_wave(12)), two_rings(sine_wave(6), sine_wave(12)));
     }
-    /// The faces of the neighbours.
+    /// Returns 1: the masks read the faces of the neighbours.
     static constexpr int rings(const butterfly&) { return 1; }
 };
 

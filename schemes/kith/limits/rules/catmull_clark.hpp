@@ -14,7 +14,7 @@
 
 namespace kith {
 
-/// Halstead, Kass & DeRose 1993, where all faces at a vertex are quads.
+/// The limit rules of Catmull-Clark. Halstead, Kass & DeRose 1993, if all faces at a vertex are quads.
 template <>
 struct limit_rules<catmull_clark> : crease_limits {
     template <level Level, class Use>
@@ -29,7 +29,8 @@ struct limit_rules<catmull_clark> : crease_limits {
         const double n = double(v.valence());
         use((n * n * v + 4. * sum(v.neighbors()) + sum(v.opposites())) / (n * (n + 5)));
     }
-    /// Inside Halstead et al.; along a boundary the left eigenvectors of the plain rule, docs/schemes.md.
+    /// Calls use(first, second) with the tangent masks. Inside they are those of Halstead et al., along a boundary the
+    /// left eigenvectors of the plain rule, docs/schemes.md.
     template <level Level, class Use>
     static void tangents(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
     {
@@ -40,21 +41,21 @@ struct limit_rules<catmull_clark> : crease_limits {
         else
             tangents_beside_creases<limit_rules>(s, v, use);
     }
-    /// The tangents of each side of a crease, docs/schemes.md.
+    /// Calls use with the tangent masks of each side of a crease, docs/schemes.md.
     template <level Level, class Use>
     static void sides(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (has_quads_only(v))
             sides_beside_creases<limit_rules>(s, v, use);
     }
-    /// The sides are known where all faces are quads.
+    /// Returns true if crease_limits does and all faces at v are quads, since only then the sides are known.
     template <level Level>
     static bool never_has_tangents(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v)
     {
         return crease_limits::never_has_tangents(s, v) and has_quads_only(v);
     }
 
-    // What crease_limits asks for.
+    // The members that crease_limits requires.
     static constexpr bool has_opposites = true;
     static constexpr std::size_t most_faces_of_planes = 1;
     template <corner_element Corner, class Use>
@@ -66,7 +67,7 @@ struct limit_rules<catmull_clark> : crease_limits {
     static mask_row<Level> across(const vertex_sector<Level>& part, double r)
     {
         const auto [sine, cotangent, lambda, mu] = waves_of(part);
-        // The row's image is lambda times the row in its entry at the first end of the sector.
+        // The row's image is lambda times the row, in its entry at the first end of the sector.
         const double x = (sine * (1 + mu) / 4 - r * (4 + 2 * mu) * cotangent) / (lambda - 1. / 2 + 2 * r);
         return row_of(part, -(2 * x + (4 + 2 * mu) * cotangent), x);
     }
@@ -76,8 +77,8 @@ struct limit_rules<catmull_clark> : crease_limits {
         const auto [sine, cotangent, lambda, mu] = waves_of(part);
         return row_of(part, -(4 + 2 * mu) * cotangent, 0);
     }
-    /// Across the curve of thirds the left eigenvector of the eigenvalue 1/4; else a direction that is asked for where
-    /// the edges do not bend.
+    /// Returns, across the curve of thirds, the left eigenvector of the eigenvalue 1/4; otherwise a direction, which is
+    /// read only if the edges do not bend.
     template <level Level>
     static mask_row<Level> across_one(const vertex_sector<Level>& part, double r)
     {
@@ -114,8 +115,8 @@ struct limit_rules<catmull_clark> : crease_limits {
     }
 
 private:
-    /// The subdominant eigenvalue of a ring whose faces span one of n parts of a turn, given the cosines of such a
-    /// part and of its half.
+    /// Returns the subdominant eigenvalue of a ring whose faces each span one of n parts of a turn. The arguments are
+    /// the cosines of such a part and of its half.
     static double subdominant(double c, double half) { return 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16; }
     template <mask_range Edges, mask_range Opposites, class Use>
     static void use_waves(const Edges& edges, const Opposites& opposites, std::int64_t n, const Use& use)
@@ -131,7 +132,7 @@ private:
     struct half_turn {
         double sine, cotangent, lambda, mu; ///< of the angle of a face, and of half of it
     };
-    /// Of a sector that is half a turn.
+    /// Returns the waves of a sector that spans half a turn.
     template <level Level>
     static half_turn waves_of(const vertex_sector<Level>& part)
     {
@@ -139,7 +140,8 @@ private:
         const double half = cosine_wave(2 * turns)(1), lambda = subdominant(cosine_wave(turns)(1), half);
         return {sine_wave(turns)(1), half / sine_wave(2 * turns)(1), lambda, 1 / (4 * lambda - 1)};
     }
-    /// The sines of the edges, of which those of the two ends are zero; these are weighed by x.
+    /// Returns a row with the sines of the edges. The sines of the two end edges are zero; these edges have the weight
+    /// x.
     template <level Level>
     static mask_row<Level> row_of(const vertex_sector<Level>& part, double of_vertex, double x)
     {

@@ -12,10 +12,10 @@
 
 namespace kith {
 
-/// The centre of every face is on the limit surface, unless a boundary rule moves its corners. Doo & Sabin 1978.
-/// A vertex becomes a face, so its limit is the centre of that. On the boundary it becomes two points of the quadratic
-/// B-spline, whose middle is on the curve; corners stay. Without a boundary rule it goes with the middle one of its
-/// faces, or with what its middle edge becomes.
+/// The limit rules of Doo-Sabin. The centre of every face is on the limit surface, unless a boundary rule moves its
+/// corners. Doo & Sabin 1978. A vertex becomes a face, so its limit is the centre of that face. On the boundary it
+/// becomes two points of the quadratic B-spline, whose midpoint is on the curve; corners stay. Without a boundary rule
+/// the limit of a boundary vertex is that of its middle face, or of the face that its middle edge becomes.
 template <>
 struct limit_rules<doo_sabin> : limit_defaults {
     template <level Level, class Use>
@@ -51,7 +51,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
             with_points(s, v, [&](const auto& points) { use_first_wave(points, std::int64_t(v.face_count()), use); });
     }
     static constexpr bool are_alike_where_regular = true;
-    /// The faces across the sides of the vertex's own.
+    /// Returns 1: the masks read the faces across the sides of the vertex's own faces.
     static constexpr int rings(const doo_sabin&) { return 1; }
 
 private:
@@ -60,7 +60,7 @@ private:
     {
         return s.boundary != doo_sabin_boundary::drop and f.is_boundary();
     }
-    /// The weights in a face of a degree, which are computed once for each that meshes have.
+    /// Returns the weights in a face of this degree, computed once for each degree that occurs; null for long rows.
     template <doo_sabin_weights Weights>
     static const double* kept_weights(std::size_t degree)
     {
@@ -72,7 +72,7 @@ private:
         });
         return degree <= longest_row ? rows(degree) : nullptr;
     }
-    /// The point that a step makes of a corner, unless a boundary rule decides about it.
+    /// Returns the point that a step makes of a corner, if no boundary rule applies to it.
     template <corner_element Corner>
     static auto point_of(const doo_sabin& s, const Corner& c)
     {
@@ -85,7 +85,7 @@ private:
     template <level Level, class Use>
     static void position_without_rule(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {
-        auto c = v.first_corner(); // of the middle face, or before the middle edge
+        auto c = v.first_corner(); // in the middle face, or in the face before the middle edge
         for (std::size_t i = 1; i < (v.face_count() + 1) / 2; ++i)
             c = c.prev().across();
         if (v.face_count() % 2 != 0)
@@ -106,8 +106,9 @@ private:
         const double of_last = share(z, z.next().next().is_boundary()) / 2;
         use((1 - of_first - of_last) * v + of_first * v.first_rim() + of_last * v.last_rim());
     }
-    /// The points that the next step makes around an inner vertex, unless a boundary rule decides about one of them,
-    /// or they are long: all vertices of a large face would take the square of its degree.
+    /// Calls use(points) with the points that the next step makes around an inner vertex. Calls nothing if a boundary
+    /// rule applies to one of them, or if one has a long mask. For all vertices of a large face long masks would take
+    /// the square of its degree.
     template <level Level, class Use>
     static void with_points(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {

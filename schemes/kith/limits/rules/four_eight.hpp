@@ -13,12 +13,12 @@
 
 namespace kith {
 
-/// Positions and tangents over two rings of pairs of triangles.
+/// The limit rules of 4-8: positions and tangents over two rings of pairs of triangles.
 template <>
 struct limit_rules<four_eight> : limit_defaults {
-    /// With the pairs of triangles seen as quads, which both kinds of steps do alike, a mask over two rings of
-    /// them, where v's first ring is regular and inside; docs/schemes.md. On the boundary that of the cubic B-spline
-    /// curve.
+    /// Calls use(mask) with the mask of the position. The pairs of triangles are seen as quads, which both kinds of
+    /// steps treat alike. The mask covers two rings of them, if v's first ring is regular and inside; docs/schemes.md.
+    /// On the boundary it is the mask of the cubic B-spline curve.
     template <level Level, class Use>
     static void position(const four_eight&, const vertex<Level>& v, const Use& use)
     {
@@ -27,7 +27,7 @@ struct limit_rules<four_eight> : limit_defaults {
                 bisection_split::is_marked(v.last_corner().prev_edge()))
                 use((v.first_rim() + 4. * v + v.last_rim()) / 6);
             else
-                use(sum(v)); // its edges never are bisected in the same step
+                use(sum(v)); // its two boundary edges are never bisected in the same step
         } else {
             with_two_rings(v, [&](const auto& e, const auto& d, const auto& h, const auto& p, const auto& q) {
                 use((70. * v + 118. * average(e) + 44. * average(d) + 6. * average(h) + (average(p) + average(q))) /
@@ -35,7 +35,8 @@ struct limit_rules<four_eight> : limit_defaults {
             });
         }
     }
-    /// Two tangents, counter-clockwise, inside, over the same two rings; docs/schemes.md.
+    /// Calls use(first, second) with the tangents at an inner vertex, counter-clockwise, over the same two rings;
+    /// docs/schemes.md.
     template <level Level, class Use>
     static void tangents(const four_eight&, const vertex<Level>& v, const Use& use)
     {
@@ -50,7 +51,7 @@ struct limit_rules<four_eight> : limit_defaults {
             const auto cosine = cosine_wave(4 * n);
             const auto sine = sine_wave(4 * n);
             const auto wave = [=](double weight, double turned, std::size_t start, std::size_t quarters) {
-                return [=](std::size_t j) { // weight cos t - turned sin t, and the same a quarter turn on
+                return [=](std::size_t j) { // weight cos t - turned sin t, with t less `quarters` quarter turns
                     const std::size_t at = 2 * (2 * j + start), back = quarters * std::size_t(n);
                     const std::size_t turn = at >= back ? at - back : at + 4 * std::size_t(n) - back;
                     return weight * cosine(turn) - turned * sine(turn);
@@ -66,15 +67,16 @@ struct limit_rules<four_eight> : limit_defaults {
         });
     }
 
-    /// The triangles that these look at: two rings of pairs.
+    /// Returns 3: the rings of triangles that two rings of pairs reach.
     static constexpr int rings(const four_eight&) { return 3; }
 
-    /// The modulus of the subdominant eigenvalues of one step at a vertex with n quads: a quarter of the largest root
-    /// of x^5 - 3c x^4 + (2c^2 - 5) x^3 + 6c x^2 + 4x + c - 2c^3, c = cos(pi/n); docs/schemes.md.
+    /// Returns the modulus of the subdominant eigenvalues of one step at a vertex with n quads. It is a quarter of the
+    /// largest root of a polynomial, docs/schemes.md, with c = cos(pi/n):
+    /// x^5 - 3c x^4 + (2c^2 - 5) x^3 + 6c x^2 + 4x + c - 2c^3.
     static constexpr double subdominant(std::int64_t n)
     {
         const double c = exact_cos(1, 2 * n);
-        double x = 4; // above the root, so that Newton's steps come down to it
+        double x = 4; // above the root, so that Newton's steps decrease to it
         for (int i = 0; i < 50; ++i) {
             const double value = ((((x - 3 * c) * x + 2 * c * c - 5) * x + 6 * c) * x + 4) * x + c - 2 * c * c * c;
             const double slope = (((5 * x - 12 * c) * x + 3 * (2 * c * c - 5)) * x + 12 * c) * x + 4;
@@ -92,16 +94,17 @@ private:
             ++result;
         return result;
     }
-    /// Neither the edge after a corner lies at the boundary nor, if it is the marked one, the edge across from it.
+    /// Returns true if the edge after a corner is inside and the edge after the next corner is not both marked and at
+    /// the boundary.
     template <corner_element Corner>
     static bool is_inside(const Corner& c)
     {
         return not c.is_boundary() and not(c.next().is_boundary() and bisection_split::is_marked(c.next().next_edge()));
     }
 
-    /// Calls use(e, d, h, p, q) with the vertices around v: pair j lies between the neighbours e_j and e_j+1, d_j is
-    /// opposite v in it, h_j lies behind e_j, and p_j and q_j beside d_j in the second ring, p_j nearer to e_j. Not
-    /// unless all e and d lie inside and have four pairs.
+    /// Calls use(e, d, h, p, q) with the vertices around v. Pair j lies between the neighbours e_j and e_j+1; d_j is
+    /// opposite v in it, and h_j lies behind e_j. p_j and q_j lie beside d_j in the second ring, p_j nearer to e_j.
+    /// Calls nothing unless all e and d lie inside and have four pairs.
     template <vertex_element Vertex, class Use>
     static void with_two_rings(const Vertex& v, const Use& use)
     {
@@ -110,7 +113,7 @@ private:
         const auto is_regular = [](const Vertex& u) {
             std::size_t corners = 0, pairs = 0;
             for (const auto c : u.corners()) {
-                if (++corners > 8 or not is_inside(c)) // a large fan is not walked for each of its neighbours
+                if (++corners > 8 or not is_inside(c)) // so that a large fan is not walked for each of its neighbours
                     return false;
                 pairs += not bisection_split::is_first(c);
             }
@@ -127,7 +130,7 @@ private:
         struct pair {
             Vertex e, d, h, p, q;
         };
-        std::vector<pair> pairs; // walked to once, since tangents read each several times
+        std::vector<pair> pairs; // stored, since tangents read each pair several times
         pairs.reserve(v.valence());
         for (const auto c : four_eight::sides(v)) {
             const auto h = behind(c);

@@ -8,7 +8,7 @@
 
 namespace kith {
 
-/// Of schemes that move no vertex.
+/// The limit rules of schemes that move no vertex.
 struct interpolating_limits : limit_defaults {
     template <scheme Scheme, level Level, class Use>
     static void position(const Scheme&, const vertex<Level>& v, const Use& use)
@@ -30,7 +30,7 @@ struct limit_rules<linear_triangles> : interpolating_limits {};
 
 template <>
 struct limit_rules<interpolatory_sqrt3> : interpolating_limits {
-    /// As that of sqrt3.
+    /// Returns the reach of sqrt3.
     static constexpr int reach(const interpolatory_sqrt3&, int rings) { return rings / 2 + 2; }
 };
 

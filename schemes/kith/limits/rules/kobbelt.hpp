@@ -7,8 +7,8 @@
 
 namespace kith {
 
-/// The tangents of the two four-point curves through v where v and its neighbours are regular and inside.
-/// docs/schemes.md. Errors: mesh_error for a tension outside its range.
+/// The limit rules of Kobbelt's scheme: the tangents of the two four-point curves through v, if v and its neighbours
+/// are regular and inside. docs/schemes.md. Errors: mesh_error for a tension outside its range.
 template <>
 struct limit_rules<kobbelt> : interpolating_limits {
     template <level Level, class Use>
@@ -21,7 +21,7 @@ struct limit_rules<kobbelt> : interpolating_limits {
         for (const auto u : v.neighbors())
             if (not is_regular(u))
                 return;
-        const auto back = [](auto c) { return c.prev().across().prev().across(); }; // the line of c, the other way
+        const auto back = [](auto c) { return c.prev().across().prev().across(); }; // the line of c, reversed
         const auto end = [](auto c) { return c.next().v(); };
         const auto curve = [&](auto c) {
             const auto far = [&](auto d) { return end(back(d.across())); };
@@ -29,7 +29,7 @@ struct limit_rules<kobbelt> : interpolating_limits {
         };
         use(curve(v.first_corner()), curve(v.first_corner().prev().across()));
     }
-    /// The masks ask about the faces of the neighbours.
+    /// Returns 1: the masks read the faces of the neighbours.
     static constexpr int rings(const kobbelt&) { return 1; }
 };
 

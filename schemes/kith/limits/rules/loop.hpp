@@ -12,7 +12,7 @@
 
 namespace kith {
 
-/// The left eigenvectors of the vertex's own matrix.
+/// The limit rules of Loop: the left eigenvectors of the subdivision matrix of the vertex.
 template <>
 struct limit_rules<loop> : crease_limits {
     template <level Level, class Use>
@@ -26,8 +26,8 @@ struct limit_rules<loop> : crease_limits {
         const double g = 1 / (n + 3 / (8 * s.scheme.beta(v.valence())));
         use((1 - n * g) * v + g * sum(v.neighbors()));
     }
-    /// Hoppe et al. 1994; at boundary vertices with other than three faces the left eigenvector of the plain rule,
-    /// docs/schemes.md.
+    /// Calls use(first, second) with the tangent masks. Hoppe et al. 1994; at boundary vertices that do not have three
+    /// faces the left eigenvector of the plain rule, docs/schemes.md.
     template <level Level, class Use>
     static void tangents(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
@@ -36,14 +36,14 @@ struct limit_rules<loop> : crease_limits {
         else
             tangents_beside_creases<limit_rules>(s, v, use);
     }
-    /// The tangents of each side of a crease, docs/schemes.md.
+    /// Calls use with the tangent masks of each side of a crease, docs/schemes.md.
     template <level Level, class Use>
     static void sides(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
         sides_beside_creases<limit_rules>(s, v, use);
     }
 
-    // What crease_limits asks for.
+    // The members that crease_limits requires.
     static constexpr bool has_opposites = false;
     static constexpr std::size_t most_faces_of_planes = 2;
     template <corner_element Corner, class Use>
@@ -80,7 +80,8 @@ struct limit_rules<loop> : crease_limits {
     }
 
 private:
-    /// The sines of the edges, of which those of the two ends are zero; these are weighed by x.
+    /// Returns a row with the sines of the edges. The sines of the two end edges are zero; these edges have the weight
+    /// x.
     template <level Level>
     static mask_row<Level> row_of(const vertex_sector<Level>& part, double of_vertex, double x)
     {

@@ -9,8 +9,8 @@
 
 namespace kith {
 
-/// The midpoints of a face's edges have its centroid and shrink to it. A vertex goes with the face that is made of it,
-/// at the boundary too; one with a single face goes with that.
+/// The limit rules of mid-edge. The midpoints of a face's edges have its centroid and shrink to it. The limit of a
+/// vertex is that of the face made of it, at the boundary too; a vertex with a single face has the limit of that face.
 template <>
 struct limit_rules<mid_edge> : limit_defaults {
     template <level Level, class Use>
@@ -26,7 +26,8 @@ struct limit_rules<mid_edge> : limit_defaults {
     {
         use(average(f.vertices()));
     }
-    /// Inside and but for three faces, whose triangle shrinks as fast as all around it.
+    /// Calls use(first, second) with the tangents at an inner vertex with more than three faces. The triangle made of a
+    /// vertex with three faces shrinks as fast as everything around it.
     template <level Level, class Use>
     static void tangents(const mid_edge&, const vertex<Level>& v, const Use& use)
     {
@@ -35,9 +36,9 @@ struct limit_rules<mid_edge> : limit_defaults {
             use_first_wave(v.neighbors(), n, use);
     }
     static constexpr bool are_alike_where_regular = true;
-    /// The masks ask about the vertex's own faces alone.
+    /// Returns 0: the masks read the vertex's own faces only.
     static constexpr int rings(const mid_edge&) { return 0; }
-    static constexpr int tangent_steps = 0; ///< those of three faces stay without
+    static constexpr int tangent_steps = 0; ///< vertices with three faces never have tangents
 };
 
 } // namespace kith

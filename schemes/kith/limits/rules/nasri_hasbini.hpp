@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// Inside, among quads, the left eigenvectors of the masks; on the boundary that of the curve, whose corners stay.
-/// docs/schemes.md.
+/// The limit rules of Nasri-Hasbini. At inner vertices among quads they are the left eigenvectors of the masks, on the
+/// boundary that of the curve, whose corners stay. docs/schemes.md.
 template <>
 struct limit_rules<nasri_hasbini> : limit_defaults {
     template <level Level, class Use>
@@ -32,14 +32,14 @@ struct limit_rules<nasri_hasbini> : limit_defaults {
         if (v.is_boundary() or n < 3 or not has_quads_only(v))
             return;
         const double y = n == 3 ? 11. / 43 : n == 4 ? 1 / (2 * detail::sqrt2) : 1 / (3 * detail::sqrt2);
-        const auto tangent = [&v, y](auto wave) { // by halves of 1/n of a turn
+        const auto tangent = [&v, y](auto wave) { // j counts halves of 1/n of a turn
             return sum(v.neighbors(), [wave](std::size_t j) { return wave(2 * j); }) +
                    sum(v.opposites(), [wave, y](std::size_t j) { return y * wave(2 * j + 1); });
         };
         use(tangent(cosine_wave(2 * n)), tangent(sine_wave(2 * n)));
     }
     static constexpr bool are_alike_where_regular = true;
-    /// The masks ask about the vertex's own faces alone.
+    /// Returns 0: the masks read the vertex's own faces only.
     static constexpr int rings(const nasri_hasbini&) { return 0; }
 };
 

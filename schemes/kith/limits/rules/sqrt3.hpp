@@ -9,8 +9,8 @@
 
 namespace kith {
 
-/// Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. Not for inner vertices of a face at the
-/// boundary, whose rings the odd steps cut.
+/// The limit rules of sqrt(3): Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. Inner vertices of a
+/// face at the boundary have no mask, since the odd steps cut their rings.
 template <>
 struct limit_rules<sqrt3> : limit_defaults {
     template <level Level, class Use>
@@ -23,7 +23,7 @@ struct limit_rules<sqrt3> : limit_defaults {
         const double b = 3 * s.alpha(v.valence()) / (1 + 3 * s.alpha(v.valence()));
         use((1 - b) * v + b * average(v.neighbors()));
     }
-    /// Inside.
+    /// Calls use(first, second) with the tangents at an inner vertex without a face at the boundary.
     template <level Level, class Use>
     static void tangents(const sqrt3&, const vertex<Level>& v, const Use& use)
     {
@@ -32,7 +32,7 @@ struct limit_rules<sqrt3> : limit_defaults {
             use_first_wave(v.neighbors(), n, use);
     }
     static constexpr bool are_alike_where_regular = true;
-    /// The faces across the sides of the vertex's own.
+    /// Returns 1: the masks read the faces across the sides of the vertex's own faces.
     static constexpr int rings(const sqrt3&) { return 1; }
 
 private:

@@ -14,7 +14,7 @@
 
 namespace kith::detail {
 
-/// Values at 0, 1/2, 1, ... of the uniform B-spline of a degree up to 9, centred at 0, and of minus its derivative.
+/// The values at 0, 1/2, 1, ... of the uniform B-spline of a degree up to 9, centred at 0, and of minus its derivative.
 class spline_values {
 public:
     constexpr explicit spline_values(int degree)
@@ -35,7 +35,7 @@ private:
     {
         return std::size_t(half_steps < 0 ? -half_steps : half_steps);
     }
-    /// The recursion of de Boor and Cox.
+    /// Returns the value by the recursion of de Boor and Cox.
     static constexpr double spline(int degree, int half)
     {
         if (degree == 0)
@@ -52,14 +52,14 @@ inline constexpr auto spline_values_by_degree = []<std::size_t... D>(std::index_
 }(std::make_index_sequence<10>());
 
 /// Calls f(i, j, vertex) for the vertices to the left of the straight line that starts with half-edge u: i = 1, ...,
-/// `steps` along the line, then j = 0, ..., `steps` to the left. Tells whether all faces there are quads and all
-/// vertices but the outermost regular. Precondition: no boundary.
+/// `steps` along the line, then j = 0, ..., `steps` to the left. Returns true if all faces there are quads and all
+/// vertices but the outermost are regular. Precondition: no boundary.
 template <corner_element Corner, class F>
 bool walk_sector(Corner u, int steps, const F& f)
 {
     const auto straight_on = [](const Corner& c) { return c.next().across().next(); };
     for (int i = 1; i <= steps; ++i) {
-        Corner c = u; // ends at (i, j)
+        Corner c = u; // its next vertex is the one at (i, j)
         for (int j = 0; j <= steps; ++j) {
             const auto end = c.next().v();
             if (c.f().degree() != 4 or (i < steps and j < steps and end.valence() != 4))
@@ -74,8 +74,9 @@ bool walk_sector(Corner u, int steps, const F& f)
     return true;
 }
 
-/// The vertices around an element among quads, seen as n sectors of a lattice: `use(sector, x, y, vertex)` with the
-/// place in the sector in half steps, the element being at 0, 0. False where the lattice is not regular.
+/// Calls use(sector, x, y, vertex) for the vertices around an element among quads, seen as n sectors of a lattice. x
+/// and y are the place in the sector in half steps, with the element at 0, 0. Returns false if the lattice is not
+/// regular.
 template <level Level, class Use>
 bool walk_lattice(const vertex<Level>& v, int degree, const Use& use)
 {
@@ -98,7 +99,7 @@ bool walk_lattice(const face<Level>& f, int degree, const Use& use)
         if (steps > 0) {
             if (c.v().valence() != 4)
                 return false;
-            auto up = c.across().next(); // beyond the side that ends at c
+            auto up = c.across().next(); // the corner at c.v() beyond the edge after c
             if (not walk_sector(up.across().next(), steps, [&](int i, int j, const auto& u) {
                     use(sector, 2 * i + 1, 2 * j + 1, u);
                 }))
@@ -116,9 +117,9 @@ bool walk_lattice(const face<Level>& f, int degree, const Use& use)
     return true;
 }
 
-/// The limit mask of the family of Zorin & Schroeder at an element with n sectors: averaging does to the mean of the
-/// sectors what it does to four alike, whatever n is, so the weights are those of the tensor B-spline, shared out among
-/// n sectors.
+/// Calls use(mask) with the limit mask of the family of Zorin & Schroeder at an element with n sectors. Averaging acts
+/// on the mean of the n sectors as it does on the mean of four. So the weights are those of the tensor B-spline, shared
+/// among n sectors.
 template <element Element, class Use>
 void use_spline_position(const Element& x, std::size_t sectors, int degree, const Use& use)
 {
@@ -131,7 +132,7 @@ void use_spline_position(const Element& x, std::size_t sectors, int degree, cons
         }))
         use(weighted(row));
 }
-/// The two derivatives, where there are four sectors.
+/// Calls use(first, second) with the two derivatives. Precondition: the element has four sectors.
 template <element Element, class Use>
 void use_spline_tangents(const Element& x, int degree, const Use& use)
 {
@@ -154,8 +155,8 @@ void use_spline_tangents(const Element& x, int degree, const Use& use)
 
 namespace kith {
 
-/// At vertices and, of even degrees, faces with regular quads around; not where there are others so near.
-/// docs/schemes.md.
+/// The limit rules of unified: masks at vertices and, for even degrees, at faces with regular quads around. There is no
+/// mask if other faces or vertices are near. docs/schemes.md.
 template <>
 struct limit_rules<unified> : limit_defaults {
     template <level Level, class Use>
@@ -172,7 +173,8 @@ struct limit_rules<unified> : limit_defaults {
         if (not s.is_primal())
             detail::use_spline_position(f, f.degree(), s.degree, use);
     }
-    /// The derivatives of the B-spline, at vertices and faces that are regular themselves.
+    /// Calls use(first, second) with the derivatives of the B-spline, at vertices and faces that are regular
+    /// themselves.
     template <level Level, class Use>
     static void tangents(const unified& s, const vertex<Level>& v, const Use& use)
     {
@@ -187,9 +189,10 @@ struct limit_rules<unified> : limit_defaults {
     }
     static constexpr bool are_alike_where_regular = true;
     static constexpr int rings(const unified& s) { return s.degree / 2 + 1; }
-    /// Two averaging steps take a refined ring. Two refined rings lie in one ring of faces that share a vertex.
+    /// Returns the rings before a step. Two averaging steps take a refined ring. Two refined rings lie in one ring of
+    /// faces that share a vertex.
     static constexpr int reach(const unified& s, int rings) { return (rings + s.degree / 2 + 1) / 2; }
-    static constexpr int tangent_steps = 0; ///< irregular ones stay so
+    static constexpr int tangent_steps = 0; ///< irregular elements stay irregular
 };
 
 } // namespace kith

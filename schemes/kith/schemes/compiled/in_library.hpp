@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Says that the steps of a scheme are compiled in kith::compiled_schemes. Each scheme of the registry includes this at
-// its end, so there is no #pragma once. Before that it defines KITH_SCHEME, its type, and KITH_SCHEME_OF_DOUBLES if the
-// library has it for doubles alone. The file that compiles the scheme defines KITH_COMPILE_HERE, too.
+// Declares that the steps of a scheme are compiled in kith::compiled_schemes. Each header of a scheme includes this
+// file at its end, so there is no #pragma once. Before that it defines KITH_SCHEME, the type of the scheme. It also
+// defines KITH_SCHEME_OF_DOUBLES if the library has the scheme for doubles alone. The file that compiles the scheme
+// defines KITH_COMPILE_HERE, too.
 #ifdef KITH_COMPILED_SCHEMES
 
 #include <kith/compiled_refine.hpp>

@@ -12,7 +12,7 @@
 
 namespace kith {
 
-/// A scheme with creases, and what they are on a level.
+/// A scheme with creases, and the rules of its creases on a level.
 template <scheme_with_sharp_rules Scheme, level Level>
 struct creased_scheme {
     const Scheme& scheme;
@@ -20,20 +20,20 @@ struct creased_scheme {
 };
 
 /// The limit rules of schemes with sharp_rules; position and tangents take a creased_scheme. Functions with a parameter
-/// `Rules` ask these for the masks that differ from scheme to scheme:
+/// `Rules` require these members, by which the masks of the schemes differ:
 ///
-///   is_ready(v)              the faces at v have the shape that the masks are for
 ///   use_ring(c, n, use)      calls use with the two tangent masks of a ring of n faces that begins at corner c
 ///   across(sector, r)        the row across a curve whose vertex rule is r, 1 - 2r, r; for two faces or more
 ///   between(sector)          the row from a corner of the surface to the middle of a sector
 ///   across_one(sector, r)    the row into the only face of a sector
-///   most_faces_of_planes     of sectors at corners that have a tangent plane
+///   most_faces_of_planes     the most faces of a sector at a corner that has a tangent plane
 ///   darts(scheme, n)         the weights of dart_matrix, or null; has_opposites says which points it has
 ///
-/// These functions are out of line: few vertices lie on creases, and inlining all of them takes minutes.
+/// These functions are out of line: few vertices lie on creases, and inlining all of the functions takes minutes of
+/// compilation.
 struct crease_limits : limit_defaults {
     static constexpr bool are_alike_where_regular = true;
-    /// The masks ask about the vertex's own faces alone.
+    /// Returns 0: the masks read the vertex's own faces only.
     template <scheme_with_sharp_rules Scheme>
     static constexpr int rings(const Scheme&)
     {
@@ -44,8 +44,8 @@ struct crease_limits : limit_defaults {
     {
         return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners, boundary_curve_of(scheme))};
     }
-    /// The limit of corners, and along boundaries and creases where the curve ends up: 1/6, 2/3, 1/6 of a cubic
-    /// B-spline, 1/5, 3/5, 1/5 of the curve of thirds.
+    /// Calls use(mask) with the limit of a corner, or of a vertex on the curve of a boundary or crease. The weights are
+    /// 1/6, 2/3, 1/6 for a cubic B-spline and 1/5, 3/5, 1/5 for the curve of thirds.
     template <scheme_with_sharp_rules Scheme, level Level, class Use>
     [[gnu::noinline]] static void position_on_curve(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v,
                                                     const Use& use)
@@ -58,7 +58,7 @@ struct crease_limits : limit_defaults {
         else if (kind == limit_kind::curve)
             use((ends[0] + 4. * v + ends[1]) / 6);
     }
-    /// The limit of a dart.
+    /// Calls use(mask) with the limit of a dart.
     template <class Rules, scheme_with_sharp_rules Scheme, level Level, class Use>
     [[gnu::noinline]] static void position_of_dart(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v,
                                                    const Use& use)
@@ -69,7 +69,8 @@ struct crease_limits : limit_defaults {
                     use(weighted(dart_row<Rules>(part, weights)));
             });
     }
-    /// Corners and vertices of creases stay what they are, unless these decay.
+    /// Returns true for an inner vertex on a crease and for a corner, except a boundary corner with one face: these
+    /// have no single tangent plane. Returns false if sharpness still decays there.
     template <scheme_with_sharp_rules Scheme, level Level>
     static bool never_has_tangents(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
     {
@@ -80,17 +81,18 @@ struct crease_limits : limit_defaults {
                : kind == limit_kind::curve ? not v.is_boundary()
                                            : false;
     }
-    /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a
-    /// plane of its own, and none is given.
+    /// Calls use(first, second) with the two edges of a corner with one face, which lies in their plane. At other
+    /// corners and along creases each side has its own plane, and use is not called.
     template <scheme_with_sharp_rules Scheme, level Level, class Use>
     static void tangents_at_corner(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (v.is_boundary() and v.face_count() == 1 and limit_of(s, v).kind == limit_kind::corner)
             use(v.first_rim() - v, v.last_rim() - v);
     }
-    /// The tangents of a vertex that is not smooth, where all its faces lie on one side of a curve, where it is a
-    /// corner of one face, and of a dart. A smoothed corner has the plane of its two edges as well: the curve through
-    /// it bends in this plane, and faster than its face. Precondition: Rules::is_ready(v).
+    /// Calls use(first, second) with the tangents of a vertex that is not smooth. They exist if all its faces lie on
+    /// one side of a curve, if it is a corner of one face, and at a dart. A smoothed corner has the plane of its two
+    /// edges as well: the curve through it bends in this plane, and faster than its face. Precondition: the faces at v
+    /// have the shape that the masks are for.
     template <class Rules, scheme_with_sharp_rules Scheme, level Level, class Use>
     [[gnu::noinline]] static void tangents_beside_creases(const creased_scheme<Scheme, Level>& s,
                                                           const vertex<Level>& v, const Use& use)
@@ -107,10 +109,11 @@ struct crease_limits : limit_defaults {
                         s, kind, part, [&](const auto& along, const auto&, const auto& across) { use(along, across); });
             });
     }
-    /// Calls use(sector, is_half_turn, first, last, middle) for each sector of a vertex that is not smooth: with the
-    /// masks of the tangents along the edges that begin and end it, outwards, and of a direction between them. Beside a
-    /// curve the sector is half a turn, and the edges span the plane of its tangents only. Calls nothing where a sharp
-    /// edge still decays. Precondition: Rules::is_ready(v).
+    /// Calls use(sector, is_half_turn, first, last, middle) for each sector of a vertex that is not smooth. `first` and
+    /// `last` are the masks of the tangents along the edges that begin and end the sector, outwards; `middle` is that
+    /// of a direction between them. Beside a curve the sector is half a turn, and the edges only span the plane of its
+    /// tangents. Calls nothing if a sharp edge still decays. Precondition: the faces at v have the shape that the masks
+    /// are for.
     template <class Rules, scheme_with_sharp_rules Scheme, level Level, class Use>
     [[gnu::noinline]] static void sides_beside_creases(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v,
                                                        const Use& use)
@@ -131,8 +134,8 @@ struct crease_limits : limit_defaults {
     }
 
 private:
-    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, the ring around the end
-    /// of a crease, or more than a mask can tell.
+    /// The kinds of limit at a vertex that is not smooth, by the points that it depends on: the vertex alone (a
+    /// corner), a curve, the ring around the end of a crease, or points that no mask knows.
     enum class limit_kind : unsigned char { corner, curve, dart, unknown };
     template <level Level>
     struct limit_rule {
@@ -151,7 +154,8 @@ private:
                                                        : limit_kind::unknown;
         return {kind, rule.ends};
     }
-    /// Whether the rule of a vertex says its limit: what is semi-sharp has another rule on a later level.
+    /// Returns true if the rule of a vertex determines its limit. At semi-sharp elements the rule changes on a later
+    /// level.
     template <scheme_with_sharp_rules Scheme, level Level>
     static bool is_known(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
     {
@@ -163,7 +167,7 @@ private:
                 return false;
         return not is_semi_sharp(s.scheme.sharpness.of_vertex(v.index()));
     }
-    /// The weight of each neighbour in the vertex rule of the curve through v.
+    /// Returns the weight of each neighbour in the vertex rule of the curve through v.
     template <scheme_with_sharp_rules Scheme, level Level>
     static double curve_weight(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
     {

@@ -22,13 +22,14 @@
 
 namespace kith {
 
-/// How sharpness decays from level to level. DeRose, Kass & Truong 1998, section 3 (Chaikin: 3.3).
+/// The method by which sharpness decays from level to level. DeRose, Kass & Truong 1998, section 3 (Chaikin: 3.3).
 enum class crease_method : unsigned char { uniform, chaikin };
 
-/// An edge or vertex of this sharpness stays sharp for ever; others are sharp for as many levels as their number says.
+/// The sharpness of an edge or vertex that stays sharp for ever. Others stay sharp for as many levels as their
+/// sharpness.
 inline constexpr double infinitely_sharp = std::numeric_limits<double>::infinity();
 
-/// The sharp edges and vertices of a level; few among many, so they are kept as sorted lists of their dense numbers.
+/// The sharp edges and vertices of a level. They are few, so they are stored as sorted lists of dense numbers.
 /// Semantics as in OpenSubdiv, with a true infinity in place of "10 or more".
 class creases {
 public:
@@ -38,35 +39,36 @@ public:
     explicit creases(crease_method method) : method(method) {}
     friend bool operator==(const creases&, const creases&) = default;
 
-    /// Precondition: sharpness >= 0. Setting anew replaces.
+    /// Sets the sharpness of an edge and replaces an earlier one. Precondition: sharpness >= 0.
     void sharpen_edge(std::size_t edge, double sharpness) { edges_.set(edge, sharpness > 0 ? sharpness : 0); }
     void sharpen_vertex(std::size_t vertex, double sharpness) { vertices_.set(vertex, sharpness > 0 ? sharpness : 0); }
 
     [[nodiscard]] bool empty() const { return edges_.empty() and vertices_.empty(); }
     [[nodiscard]] double of_edge(std::size_t edge) const { return edges_[edge]; }
     [[nodiscard]] double of_vertex(std::size_t vertex) const { return vertices_[vertex]; }
-    /// Pairs of number and sharpness, by number.
+    /// Returns pairs of number and sharpness, sorted by number.
     [[nodiscard]] const auto& edges() const { return edges_.list(); }
     [[nodiscard]] const auto& vertices() const { return vertices_.list(); }
 
-    /// The reach of a scheme with creases whose smooth masks reach one ring: Chaikin's sharpness of an edge, and with
-    /// it its point, depends on the edges around both of its ends.
+    /// Returns the reach of a scheme with creases whose smooth masks reach one ring. Chaikin's method reaches further:
+    /// the sharpness of an edge, and with it its point, depends on the edges around both of its ends.
     [[nodiscard]] int reach(int rings) const { return (method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1; }
 
-    /// The sharpness of an edge; boundary edges are infinitely sharp.
+    /// Returns the sharpness of an edge; boundary edges are infinitely sharp.
     template <edge_element Edge>
     [[nodiscard]] double sharpness(const Edge& e) const
     {
         return e.is_boundary() ? infinitely_sharp : of_edge(e.index());
     }
 
-    /// Of a vertex with more than longest_row edges the semi-sharp ones: Chaikin's method looks at all edges for each.
+    /// The semi-sharp edges of a vertex with more than longest_row edges. They are summed once, since Chaikin's method
+    /// reads all edges of a vertex for each of them.
     struct large_fan {
         std::size_t vertex, count;
-        double total; ///< of their sharpness
+        double total; ///< sum of their sharpness
     };
-    /// Those at the ends of sharp edges, by vertex; none for a method that does not ask. Cost: O(edges around these
-    /// ends).
+    /// Returns the large fans at the ends of sharp edges, by vertex; none for a method that does not need them. Cost:
+    /// O(edges around these ends).
     template <level Level>
     [[nodiscard]] std::vector<large_fan> large_fans(const Level& level) const
     {
@@ -93,7 +95,7 @@ public:
         return result;
     }
 
-    /// The sharpness of the half of e that ends at v on the next level; `large` is that of large_fans.
+    /// Returns the sharpness, on the next level, of the half of e that ends at v. `large` is the result of large_fans.
     template <vertex_element Vertex, edge_element Edge>
     [[nodiscard]] double child_sharpness(const Vertex& v, const Edge& e, std::span<const large_fan> large = {}) const
     {
@@ -113,7 +115,7 @@ public:
         return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / double(count))) - 1, 0.);
     }
 
-    /// Errors: mesh_error for a sharp element that the level does not have.
+    /// Throws mesh_error for a sharp element that the level does not have.
     template <level Level>
     void require_one_each(const Level& level) const
     {
@@ -121,9 +123,9 @@ public:
         require_below(vertices(), level.vertex_count(), "vertex");
     }
 
-    /// The sharp elements of the next level, from the numbering of the step. What a step keeps as it is, as `selected`
-    /// does beside the faces that it splits, stays as sharp. Cost: O(sharp elements log of them + edges around sharp
-    /// vertices).
+    /// Returns the sharp elements of the next level, from the numbering of the step. Elements that the step keeps, as
+    /// `selected` does beside the faces that it splits, keep their sharpness. Cost: O(s log s) for s sharp elements,
+    /// and O(edges around sharp vertices).
     template <level Level, level_numbering Numbering>
     [[nodiscard]] creases after(const Level& coarse, const Numbering& ids) const
     {
@@ -133,7 +135,7 @@ public:
             const auto e = coarse.edges()[edge];
             if (is_cut(ids, e)) {
                 for (const auto& v : {e.org(), e.dst()})
-                    // At the boundary all is sharp anyway: what was given there passes by itself.
+                    // Boundary edges are sharp anyway; a sharpness given to one decays by one per level.
                     if (const double child = e.is_boundary() ? s - 1 : child_sharpness(v, e, large); child > 0)
                         result.edges_.append(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
             } else if constexpr (keeps_edges<Numbering>) {
@@ -148,7 +150,7 @@ public:
         return result;
     }
 
-    /// All sharp elements: f(tuple_kind, number, sharpness).
+    /// Calls f(tuple_kind, number, sharpness) for each sharp element.
     template <class F>
     void for_each_place(const F& f) const
     {
@@ -158,7 +160,7 @@ public:
             f(tuple_kind::v, vertex, sharpness);
     }
 
-    /// The creases of a part of the level.
+    /// Returns the creases of a part of the level.
     template <std::unsigned_integral Index>
     [[nodiscard]] creases of_part(const part_numbers<Index>& part) const
     {
@@ -167,14 +169,14 @@ public:
         result.edges_ = edges_.of_part(part.edges);
         return result;
     }
-    /// Takes over the creases of a part. Cost: O(sharp elements log of them).
+    /// Adds the creases of a part. Cost: O(s log s) for s sharp elements.
     template <std::unsigned_integral Index>
     void add_part(const creases& sharp, const part_numbers<Index>& part)
     {
         vertices_.add_part(sharp.vertices_, part.vertices);
         edges_.add_part(sharp.edges_, part.edges);
     }
-    /// As a message, and from one.
+    /// Writes the creases to a message; unpack reads them.
     template <message_writer Out>
     void pack(Out& out) const
     {
@@ -232,19 +234,19 @@ private:
     sparse_values<double> edges_, vertices_;
 };
 
-/// A scheme with creases has a member `sharpness` of this class, which is its state.
+/// Requirements of a scheme with creases: a member `sharpness` of class creases, which is its state.
 template <class S>
 concept scheme_with_creases = scheme<S> and requires(S& s) {
     { s.sharpness } -> std::same_as<creases&>;
 };
-/// One whose points go by sharp_rules has a member `corners`, too. Such a scheme is what face_varying and crease_limits
-/// ask for.
+/// Requirements of a scheme whose points follow sharp_rules: it also has a member `corners`. face_varying and
+/// crease_limits need such a scheme.
 template <class S>
 concept scheme_with_sharp_rules = scheme_with_creases<S> and requires(const S& s) {
     { s.corners } -> std::convertible_to<boundary_corner>;
 };
 
-/// The member `boundary` of such a scheme; without one its boundary is cubic.
+/// Returns the member `boundary` of a scheme; boundary_curve::cubic if it has none.
 template <scheme_with_sharp_rules Scheme>
 constexpr boundary_curve boundary_curve_of(const Scheme& scheme)
 {

@@ -12,17 +12,18 @@
 
 namespace kith {
 
-/// The subdivision matrix of the points around a dart with n faces, and its left eigenvectors. Point 0 is the dart,
-/// points 1 to n are its neighbours, the first of which is the other end of the sharp edge, and points n+1 to 2n, if
-/// there are any, are opposite in the faces.
+/// The subdivision matrix of the points around a dart with n faces, and its left eigenvectors. Point 0 is the dart.
+/// Points 1 to n are its neighbours, the first of which is the other end of the sharp edge. Points n+1 to 2n, if there
+/// are any, are opposite the dart in its faces.
 class dart_matrix {
 public:
     using row = std::vector<std::pair<std::size_t, double>>; ///< of a new point: old points with their weights
 
     dart_matrix(std::size_t valence, std::vector<row> rows) : valence_(valence), rows_(std::move(rows)) {}
 
-    /// The limit mask, one weight per point, and behind it the mask of the tangent along the sharp edge: the mirrored
-    /// left eigenvector of the second largest eigenvalue. Cost: up to 40 000 products, once per valence.
+    /// Returns the limit mask, one weight per point, followed by the mask of the tangent along the sharp edge. The
+    /// tangent is the left eigenvector of the second largest eigenvalue that is symmetric about the sharp edge. Cost:
+    /// up to 40 000 products, once per valence.
     [[nodiscard]] std::vector<double> weights() const
     {
         std::vector<double> position(rows_.size(), 0), along = position;
@@ -57,7 +58,7 @@ private:
             weights = std::move(next);
         }
     }
-    /// The product of a row of weights and the matrix.
+    /// Returns the product of a row of weights and the matrix.
     [[nodiscard]] std::vector<double> image(const std::vector<double>& weights) const
     {
         std::vector<double> result(weights.size(), 0);
@@ -66,8 +67,8 @@ private:
                 result[point] += weights[i] * weight;
         return result;
     }
-    /// Takes off what rounding adds: the part that is not mirrored at the sharp edge, and the sum. The largest weight
-    /// becomes 1.
+    /// Removes the effects of rounding: the part that is not symmetric about the sharp edge, and the sum. The largest
+    /// weight becomes 1.
     void make_tangent(std::vector<double>& weights) const
     {
         const auto mirror = [&weights](std::size_t a, std::size_t b) {

@@ -7,8 +7,9 @@
 
 namespace kith {
 
-/// How much of the sharper rule is left in the last step of what makes a vertex sharp: the mean sharpness of what ends
-/// there. DeRose, Kass & Truong 1998, section 3; as in OpenSubdiv.
+/// The weight of the sharper rule at a vertex in the last step in which elements are sharp there. It is the mean
+/// sharpness of the elements whose sharpness ends in this step. DeRose, Kass & Truong 1998, section 3; as in
+/// OpenSubdiv.
 class fading {
 public:
     explicit fading(crease_method method) : method_(method) {}
@@ -18,7 +19,7 @@ public:
         if (now > 0 and now <= 1)
             add(now);
     }
-    /// Precondition: now > 0. `later` is the sharpness of the half of the edge at the vertex.
+    /// Adds an edge at the vertex. `later` is the sharpness of its half at the vertex. Precondition: now > 0.
     void add_edge(double now, double later)
     {
         if (method_ == crease_method::chaikin ? later == 0 : now <= 1)

@@ -13,15 +13,15 @@
 namespace kith {
 
 /// A sector of a vertex: consecutive faces around it, counter-clockwise, between two infinitely sharp edges. Boundary
-/// edges are infinitely sharp. An inner vertex with one such edge, or none, has a single sector, which is closed.
+/// edges are infinitely sharp. An inner vertex with at most one infinitely sharp edge has a single, closed sector.
 template <level Level>
 struct vertex_sector {
-    corner<Level> first, last; ///< in the first and in the last of its faces
+    corner<Level> first, last; ///< the vertex's corners in the first and in the last of these faces
     std::size_t faces = 0;
-    bool is_closed = false; ///< it has all faces of an inner vertex
+    bool is_closed = false; ///< true if it has all faces of an inner vertex
     bool has_sharp_edge = true;
 
-    /// The other ends of the edges that begin and end the sector.
+    /// Returns the other end of the edge that begins the sector; last_end that of the edge that ends it.
     [[nodiscard]] vertex<Level> first_end() const { return first.next().v(); }
     [[nodiscard]] vertex<Level> last_end() const { return last.prev().v(); }
 };
@@ -33,7 +33,7 @@ void for_each_sector(const vertex<Level>& v, const creases& sharp, const Use& us
 {
     const auto begins = [&sharp](const corner<Level>& c) { return sharp.sharpness(c.next_edge()) == infinitely_sharp; };
     std::optional<corner<Level>> start;
-    std::size_t sharp_edges = v.is_boundary() ? 1 : 0; // the last one of a boundary vertex begins nothing
+    std::size_t sharp_edges = v.is_boundary() ? 1 : 0; // the last edge of a boundary vertex begins no sector
     for (const auto& c : v.corners())
         if (begins(c)) {
             ++sharp_edges;
@@ -58,8 +58,8 @@ void for_each_sector(const vertex<Level>& v, const creases& sharp, const Use& us
 template <level Level>
 using mask_row = std::vector<std::pair<vertex<Level>, double>>;
 
-/// The mask that weighs the vertex of a sector by `of_vertex`, the other end of its j-th edge by of_edge(j) and, if
-/// `WithOpposites`, the vertex opposite in its j-th face by of_face(j).
+/// Returns a mask. It weighs the vertex of a sector by `of_vertex` and the other end of its j-th edge by of_edge(j). If
+/// `WithOpposites`, it weighs the vertex opposite in the j-th face by of_face(j).
 template <bool WithOpposites, level Level, class OfEdge, class OfFace>
 mask_row<Level> row_over(const vertex_sector<Level>& part, double of_vertex, const OfEdge& of_edge,
                          const OfFace& of_face)

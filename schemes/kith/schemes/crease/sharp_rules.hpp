@@ -14,11 +14,13 @@
 namespace kith {
 
 /// The rules of Catmull-Clark and Loop where a mesh is not smooth: at boundaries, creases, corners and darts, with the
-/// blend of semi-sharp ones. DeRose, Kass & Truong 1998, section 3; case by case as in OpenSubdiv; docs/schemes.md.
+/// blend for semi-sharp elements. DeRose, Kass & Truong 1998, section 3; case by case as in OpenSubdiv;
+/// docs/schemes.md.
 template <level Level>
 class sharp_rules {
 public:
-    /// Errors: mesh_error for sharp elements that the level does not have.
+    /// Takes a level with its creases and the rules of its boundary. Errors: mesh_error for sharp elements that the
+    /// level does not have.
     sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners,
                 boundary_curve curve = boundary_curve::cubic)
         : sharp_(&sharp), corners_(corners), curve_(curve), all_smooth_(sharp.empty() and coarse.is_closed())
@@ -38,20 +40,21 @@ public:
         large_fans_ = sharp.large_fans(coarse);
     }
 
-    /// The rule of all edges: smooth(e) where the scheme's own mask is all there is to it. It must not outlive this.
+    /// Returns the rule of all edges; smooth(e) is the scheme's own mask, for edges at which nothing is sharp. The rule
+    /// must not outlive this object.
     template <class Smooth>
     [[nodiscard]] auto at_edges(const Smooth& smooth) const
     {
         return [this, smooth](const auto& r) { this->make_all(r.coarse.edges(), r.assoc, smooth); };
     }
-    /// The same of all vertices.
+    /// Returns the same for all vertices.
     template <class Smooth>
     [[nodiscard]] auto at_vertices(const Smooth& smooth) const
     {
         return [this, smooth](const auto& r) { this->make_all(r.coarse.vertices(), r.assoc, smooth); };
     }
 
-    /// Neither boundary nor crease.
+    /// Returns true if the element is not on the boundary and has no sharpness; a vertex must also have no sharp edge.
     [[nodiscard]] bool is_smooth(const edge<Level>& e) const
     {
         return not e.is_boundary() and (edge_is_sharp_.empty() or not edge_is_sharp_[e.index()]);
@@ -61,13 +64,13 @@ public:
         return (near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary();
     }
 
-    /// A vertex stays (a corner), goes along the curve of a crease or the boundary, or by the scheme's own mask, as a
-    /// dart does.
+    /// The rules of a vertex: it stays (a corner), follows the curve of a crease or of the boundary, or the scheme's
+    /// own mask, as a dart does.
     enum class rule_kind : unsigned char { smooth, crease, corner };
     struct vertex_rule {
         rule_kind kind = rule_kind::smooth;
         std::size_t sharp_edges = 0;
-        std::array<vertex<Level>, 2> ends; ///< of the first two of them: the neighbours along the curve
+        std::array<vertex<Level>, 2> ends; ///< other ends of the first two: the neighbours along the curve
 
         explicit vertex_rule(const vertex<Level>& v) : ends{v, v} {}
         void add(const vertex<Level>& end)
@@ -77,21 +80,21 @@ public:
             ++sharp_edges;
         }
     };
-    /// The rule of a vertex that is not smooth, in the step from this level.
+    /// Returns the rule, in the step from this level, of a vertex that is not smooth.
     [[nodiscard]] vertex_rule rule_of(const vertex<Level>& v) const { return classify(v).parent; }
-    /// A corner of the surface, whatever is sharp there.
+    /// Returns true for a boundary vertex with one face if such corners are kept, whatever else is sharp there.
     [[nodiscard]] bool is_kept_corner(const vertex<Level>& v) const
     {
         return corners_ == boundary_corner::kept and v.is_boundary() and v.face_count() == 1;
     }
 
 private:
-    /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every
-    /// time.
+    /// Makes the points of a range of elements. On native levels without sharp elements the loop has no other branch:
+    /// with a call in it, the compiler would reload all values each time.
     template <class Range, mask_evaluator Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth_mask) const
     {
-        const Smooth smooth = smooth_mask; // the compiler knows that a local copy has no aliases
+        const Smooth smooth = smooth_mask; // so that the compiler knows that it has no aliases
         constexpr bool native = detail::ordered_by_faces<Level>;
         if constexpr (native)
             if (all_smooth_)
@@ -106,8 +109,8 @@ private:
         });
     }
 
-    /// An edge that is not smooth has its midpoint, or a place between that and the smooth mask. What each comes to is
-    /// a sum, so that no formula is compiled for each pair of masks.
+    /// Returns the point of an edge that is not smooth: its midpoint, or a blend of it and the smooth mask. The result
+    /// is a sum, so that no formula is compiled for each pair of masks.
     template <mask_evaluator Space, class Smooth>
     typename Space::sum sum_at(edge<Level> e, const Space& assoc, const Smooth& smooth) const
     {
@@ -119,11 +122,11 @@ private:
         return s >= 1 or stays_sharp ? middle : between(s, middle, assoc.evaluate(smooth(e)), assoc);
     }
 
-    /// The same of a vertex.
+    /// Returns the same for a vertex.
     template <mask_evaluator Space, class Smooth>
     typename Space::sum sum_at(vertex<Level> v, const Space& assoc, const Smooth& smooth) const
     {
-        if (near_sharp_.empty() or not near_sharp_[v.index()]) // on the boundary, far from all creases
+        if (near_sharp_.empty() or not near_sharp_[v.index()]) // on the boundary, with no crease at it
             return is_kept_corner(v) ? assoc.evaluate(v) : sum_on_curve(v, {v.first_rim(), v.last_rim()}, assoc);
         const auto [parent, child, weight] = classify(v);
         const auto by_rule = [&](const vertex_rule& rule) {
@@ -152,7 +155,7 @@ private:
 
     struct classes {
         vertex_rule parent, child;
-        double weight; ///< of the parent's rule where the two differ
+        double weight; ///< of the parent's rule, if the two differ
     };
 
     static rule_kind kind_of(bool corner, std::size_t sharp_edges)
@@ -186,8 +189,8 @@ private:
     const creases* sharp_;
     boundary_corner corners_;
     boundary_curve curve_;
-    bool all_smooth_;                              // nothing to look at
-    std::vector<bool> edge_is_sharp_, near_sharp_; // empty: no creases
+    bool all_smooth_;                              // no boundary and no creases
+    std::vector<bool> edge_is_sharp_, near_sharp_; // empty if there are no creases
     std::vector<creases::large_fan> large_fans_;
 };
 

@@ -15,17 +15,17 @@
 
 namespace kith {
 
-/// What a vertex is to the rules of Catmull-Clark and Loop. Thesis 4.3.1.1; the rules themselves DeRose, Kass & Truong
-/// 1998, section 3.
+/// The type of a vertex in the rules of Catmull-Clark and Loop. Thesis 4.3.1.1; the rules themselves DeRose, Kass &
+/// Truong 1998, section 3.
 enum class vertex_type : unsigned char {
-    inner,           ///< smooth: inside, with one sharp edge (a dart) or none
-    boundary,        ///< of the boundary curve
+    inner,           ///< smooth: an inner vertex with one sharp edge (a dart) or none
+    boundary,        ///< on the boundary curve
     corner,          ///< stays: sharp itself, a kept boundary corner, or inside with three sharp edges or more
-    crease,          ///< inside, of the curve along its two sharp edges
+    crease,          ///< an inner vertex on the curve along its two sharp edges
     boundary_crease, ///< stays: creases end there at the boundary
 };
 
-/// The type of a vertex of a level with these creases. Cost: O(valence log sharp elements).
+/// Returns the type of a vertex of a level with these creases. Cost: O(valence log sharp elements).
 template <level Level>
 vertex_type type_of(const vertex<Level>& v, const creases& sharp, boundary_corner corners = boundary_corner::kept)
 {
@@ -43,7 +43,7 @@ vertex_type type_of(const vertex<Level>& v, const creases& sharp, boundary_corne
                                     : vertex_type::inner;
 }
 
-/// The types of all vertices of a mesh, by their dense numbers. Errors: mesh_error for a mesh without edges.
+/// Returns the types of all vertices of a mesh, by their dense numbers. Errors: mesh_error for a mesh without edges.
 /// Cost: O(corners log sharp elements).
 template <mesh M>
 std::vector<vertex_type> vertex_types(const M& mesh, const creases& sharp,
@@ -58,11 +58,11 @@ std::vector<vertex_type> vertex_types(const M& mesh, const creases& sharp,
     return result;
 }
 
-/// Makes v a vertex of this type by the sharpness that it takes. A corner gets it itself. A crease gets it along two
-/// inner edges of v, a boundary crease along one or more; other types go without edges. All types but the corner take
-/// the sharpness of v and of its other inner edges back, which may change the types of their other ends.
-/// Precondition: sharpness > 0. Errors: mesh_error when v cannot be of this type; the creases are as they were then.
-/// Cost: O(valence log sharp elements), O(sharp elements) where one is new.
+/// Makes v a vertex of this type by setting sharpness. A corner is itself sharp. A crease has two sharp inner edges,
+/// given by `along`, a boundary crease one or more; other types take no edges. All types but the corner reset the
+/// sharpness of v and of its other inner edges, which may change the types of their other ends. Precondition: sharpness
+/// > 0. Errors: mesh_error if v cannot be of this type; the creases are then unchanged. Cost: O(valence log sharp
+/// elements), and O(sharp elements) if one of them is new.
 template <level Level>
 void set_type(creases& sharp, const vertex<Level>& v, vertex_type type, std::initializer_list<edge<Level>> along = {},
               double sharpness = infinitely_sharp, boundary_corner corners = boundary_corner::kept)

@@ -14,26 +14,26 @@
 
 namespace kith {
 
-/// The weights of the corners of a face in the point of one of them: those of a kernel by the angle from that corner,
-/// which has a weight of its own beside, as have the two next to it.
+/// The weights of the corners of a face in the new point of one of them. They are those of a kernel by the angle from
+/// that corner. The corner itself and the two next to it have an additional weight.
 struct face_kernel {
     wave_kernel around;
     double own, neighbors;
 
-    /// The weight of the j-th corner of a face of degree n, counted from the one that the point belongs to.
+    /// Returns the weight of the j-th corner of a face of degree n, counted from the corner that the point belongs to.
     [[nodiscard]] constexpr double at(std::size_t j, std::size_t n) const
     {
         return (j == 0 ? own : j == 1 or j == n - 1 ? neighbors : 0) + around.at(2 * std::int64_t(j), n);
     }
 };
 
-/// Masks with such weights: rows for the degrees that occur, waves for larger ones.
+/// The masks with the weights of a face_kernel: rows for the degrees that occur, waves for degrees above longest_row.
 template <mask_evaluator Space, weight_number Real>
 class face_masks {
     using waves = ring_waves<Space, 1>;
 
 public:
-    /// Cost: O(corners).
+    /// Takes a step and the kernel of the weights. Cost: O(corners).
     template <step_context R>
     face_masks(const R& r, const face_kernel& kernel)
         : kernel_(kernel)
@@ -78,9 +78,9 @@ template <step_context R>
 face_masks(const R&, const face_kernel&)
     -> face_masks<std::remove_cvref_t<decltype(std::declval<const R&>().assoc)>, typename R::scalar>;
 
-/// The weights of the corners of a quad at the boundary, from c on: the tensor product of the clamped quadratic
-/// B-spline, in each direction all of the weight for a point on the boundary, half of it beside a boundary, else 3/4.
-/// docs/schemes.md.
+/// Returns the weights of the corners of a quad at the boundary, from c on: the tensor product of the clamped quadratic
+/// B-spline. In each direction the nearer corner has the whole weight if the point is on the boundary. It has half of
+/// it if the opposite side is at the boundary, else 3/4. docs/schemes.md.
 template <class Real, corner_element Corner>
 std::array<Real, 4> clamped_quad_weights(const Corner& c)
 {

@@ -16,7 +16,8 @@
 
 namespace kith {
 
-/// Notes of each inner vertex whether it has the regular valence; those at the boundary are of the kind given.
+/// Returns the kind of each vertex: whether an inner vertex has the regular valence; boundary vertices are of the given
+/// kind.
 template <level Level>
 std::vector<fan_kind> fan_kinds(const Level& coarse, std::size_t regular, fan_kind at_boundary)
 {
@@ -28,8 +29,8 @@ std::vector<fan_kind> fan_kinds(const Level& coarse, std::size_t regular, fan_ki
     return result;
 }
 
-/// The neighbours of irregular vertices, summed with weights that go around the ring: by a row of weights, or by the
-/// waves of a large ring, whose weights are those of a wave_kernel.
+/// The weighted sums of the neighbours of irregular vertices, with weights that go around the ring. They are made by a
+/// row of weights or, in a large ring, by its waves, with the weights of a wave_kernel.
 template <mask_evaluator Space, weight_number Scalar>
 class irregular_rings {
     using waves = ring_waves<Space, 2>;
@@ -38,8 +39,8 @@ public:
     using row_function = std::function<std::vector<double>(std::size_t)>;
     using kernel_function = wave_kernel (*)(std::size_t);
 
-    /// `weights(n)` are those of a ring of n neighbours, `kernel(n)` the same by the angle, where the ring is large.
-    /// Cost: O(corners), those of large fans times their logarithm.
+    /// Takes the weights of a ring of n neighbours: `weights(n)` as a row, and `kernel(n)` by the angle, for large
+    /// rings. Cost: O(corners); the n corners of large fans cost O(n log n).
     template <step_context R>
     irregular_rings(const R& r, std::size_t regular, row_function weights, kernel_function kernel)
         : kinds_(fan_kinds(r.coarse, regular, fan_kind::regular))
@@ -49,26 +50,26 @@ public:
     {
     }
 
-    /// Vertices at the boundary are, too.
+    /// Returns true for an inner vertex of regular valence and for every boundary vertex.
     template <vertex_element Vertex>
     [[nodiscard]] bool is_regular(const Vertex& v) const
     {
         return kinds_[v.index()] == fan_kind::regular;
     }
-    /// Of an irregular vertex, by one of its corners.
+    /// Returns the valence of an irregular vertex, given one of its corners.
     template <corner_element Corner>
     [[nodiscard]] std::size_t valence(const Corner& c) const
     {
         return is_large(c) ? large_.at(c).sums.operands() : c.v().valence();
     }
-    /// The sum around the vertex of c, irregular, the first weight being that of the neighbour along the edge of c.
-    /// This object must outlive it.
+    /// Returns the sum around the vertex of c, which is irregular. The first weight is that of the neighbour along the
+    /// edge of c. This object must outlive the sum.
     template <corner_element Corner>
     [[nodiscard]] auto sum_from_edge(const Corner& c) const
     {
         return sum_from(c, 0, [](const Corner& d) { return d; });
     }
-    /// The same with angles counted from the middle of the face of c, the first weight being that of the next
+    /// Returns the same with angles counted from the middle of the face of c. The first weight is that of the next
     /// neighbour.
     template <corner_element Corner>
     [[nodiscard]] auto sum_from_face(const Corner& c) const

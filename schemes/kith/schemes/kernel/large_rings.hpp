@@ -12,14 +12,15 @@
 
 namespace kith {
 
-/// What a scheme notes of each vertex before it makes edges and faces, so that none of them counts a fan again.
+/// The kind of a vertex's fan. A scheme stores it for each vertex before it makes edges and faces, so that none of them
+/// counts a fan again.
 enum class fan_kind : unsigned char {
     regular,
     irregular, ///< with a row of weights
     large      ///< irregular, with more operands than longest_row
 };
 
-/// An inner vertex whose valence is not the regular one.
+/// Returns the kind of an inner vertex whose valence is not the regular one.
 constexpr fan_kind irregular_fan(std::size_t valence)
 {
     return valence > longest_row ? fan_kind::large : fan_kind::irregular;
@@ -32,24 +33,25 @@ struct corner_of_large_fan {
     std::size_t corner;
     std::uint32_t fan, step;
 };
-/// The place of a large face among these.
+/// The index of the sums of a large face.
 struct large_face {
     std::size_t face, place;
 };
 
 } // namespace detail
 
-/// What has been summed of each large fan (ring_waves), and where its corners lie in it. Few among many, so they are
-/// kept as a sorted list. Cost: O(corners of large fans log of them), and a look at every vertex's kind.
+/// The sums over each large fan (ring_waves), and the places of its corners in it. Large fans are few, so their corners
+/// are stored as a sorted list. Cost: O(n log n) for n corners of large fans, and a pass over the kinds of all
+/// vertices.
 template <class Sums>
 class large_fans {
 public:
     struct place {
         const Sums& sums;
-        std::int64_t step; ///< how many corners lie between the first one of the fan and this one
+        std::int64_t step; ///< number of corners from the first one of the fan to this one
     };
 
-    /// `make(v, n)` sums the fan of a vertex of valence n; `kinds` is by vertex number.
+    /// Takes a level and the kinds of its vertices, by number; `make(v, n)` sums the fan of a vertex of valence n.
     template <level Level, class Make>
     large_fans(const Level& coarse, const std::vector<fan_kind>& kinds, const Make& make)
     {
@@ -66,7 +68,8 @@ public:
         std::ranges::sort(corners_, {}, &detail::corner_of_large_fan::corner);
     }
 
-    /// Precondition: a corner of a large fan. Cost: O(log corners of large fans).
+    /// Returns the fan of a corner and the place of the corner in it. Precondition: the fan is large. Cost: O(log
+    /// corners of large fans).
     template <corner_element Corner>
     [[nodiscard]] place at(const Corner& c) const
     {
@@ -83,11 +86,11 @@ template <level Level, class Make>
 large_fans(const Level& coarse, const std::vector<fan_kind>&, const Make&)
     -> large_fans<decltype(std::declval<const Make&>()(coarse.vertices()[0], std::size_t()))>;
 
-/// The same of large faces: the sums over their corners from the first one on. Cost: O(faces + corners of large faces).
+/// The sums over the corners of each large face, from its first corner on. Cost: O(faces + corners of large faces).
 template <class Sums>
 class large_faces {
 public:
-    /// `make(f, n)` sums a face of n corners.
+    /// Takes a level; `make(f, n)` sums a face of n corners.
     template <level Level, class Make>
     large_faces(const Level& coarse, const Make& make)
     {
@@ -99,7 +102,7 @@ public:
         std::ranges::sort(faces_, {}, &detail::large_face::face);
     }
 
-    /// Precondition: a face of more than longest_row corners. Cost: O(log large faces).
+    /// Returns the sums of a face. Precondition: it has more than longest_row corners. Cost: O(log large faces).
     template <face_element Face>
     [[nodiscard]] const Sums& of(const Face& f) const
     {
@@ -115,7 +118,7 @@ template <level Level, class Make>
 large_faces(const Level& coarse, const Make&)
     -> large_faces<decltype(std::declval<const Make&>()(coarse.faces()[0], std::size_t()))>;
 
-/// How many corners lie between the first one of its face and this one. Cost: O(1).
+/// Returns the number of corners from the first one of its face to this one. Cost: O(1).
 template <corner_element Corner>
 [[nodiscard]] std::int64_t step_in_face(const Corner& c)
 {

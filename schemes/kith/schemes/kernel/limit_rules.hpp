@@ -13,7 +13,7 @@
 
 namespace kith {
 
-/// What limit_rules say unless they say something else.
+/// The functions and constants of limit_rules that do not define their own.
 class limit_defaults {
     template <double (*Wave)(std::int64_t, std::int64_t)>
     static auto kept_wave(std::int64_t n)
@@ -29,31 +29,35 @@ class limit_defaults {
     }
 
 public:
-    /// The first argument of position and tangents: the scheme, or what it needs to know of a level as a whole.
+    /// Returns the first argument of position and tangents: the scheme, or an object with the facts that it needs about
+    /// the whole level.
     template <scheme Scheme, level Level>
     static const Scheme& on(const Scheme& scheme, const Level&)
     {
         return scheme;
     }
-    /// How many rings of faces around a vertex's own the masks ask about.
+    /// Returns the number of rings of faces, around a vertex's own faces, that the masks read.
     template <scheme Scheme>
     static constexpr int rings(const Scheme&)
     {
         return 2;
     }
-    /// The rings that a step uses up, for the search of limits without a mask: those of tiles.
+    /// Returns the rings needed before a step for `rings` rings after it, in the search for limits without a mask:
+    /// those of tiles.
     template <reaching_scheme Scheme>
     static constexpr int reach(const Scheme& scheme, int rings)
     {
         return reach_of(scheme, rings);
     }
-    /// True if the masks, counted from the first corner of a fan, are the same at all inner vertices of regular valence
-    /// that have only such vertices, and faces of one degree, within their rings. These masks ask neither where faces
-    /// and other fans begin nor which way edges run. Then limit_surface_of reads them once for all these vertices.
+    /// A promise, if true: the masks, counted from the first corner of a fan, are the same at all regular vertices. A
+    /// vertex is regular here if all vertices within the rings are inner ones of regular valence, and all faces have
+    /// one degree. The masks depend neither on where faces and other fans begin nor on which way edges run.
+    /// limit_surface_of then reads them once for all these vertices.
     static constexpr bool are_alike_where_regular = false;
-    /// After how many further steps a normal may be known where a position is: beside irregular vertices one or two.
+    /// The number of steps after its position is known in which a normal may become known: one or two beside irregular
+    /// vertices.
     static constexpr int tangent_steps = 2;
-    /// Whether a vertex without tangents will have none after further steps either.
+    /// Returns true if a vertex without tangents will have none after further steps either.
     template <class Rules, vertex_element Vertex>
     static constexpr bool never_has_tangents(const Rules&, const Vertex&)
     {
@@ -61,11 +65,12 @@ public:
     }
 
 protected:
-    /// The weight of the j-th point of a ring by its angle, j/n of a turn: exact_cos and sin_turn, which are computed
-    /// once for each n that meshes have. Precondition of what is returned: j <= n.
+    /// Returns a function of j: the weight of the j-th point of a ring by its angle, j/n of a turn. cosine_wave takes
+    /// exact_cos, sine_wave sin_turn. The weights are computed once for each n that occurs. Precondition of the
+    /// function: j <= n.
     static auto cosine_wave(std::int64_t n) { return kept_wave<exact_cos>(n); }
     static auto sine_wave(std::int64_t n) { return kept_wave<sin_turn>(n); }
-    /// The tangents of a ring of n points that are all that has a weight.
+    /// Calls use(first, second) with the tangents of a ring of n points, if no other points have weights.
     template <mask_range Range, class Use>
     static void use_first_wave(const Range& ring, std::int64_t n, const Use& use)
     {
@@ -73,8 +78,8 @@ protected:
     }
 };
 
-/// Where the surface of a scheme ends up. A scheme whose limits are known in closed form specialises this, beside its
-/// own text, by functions that call use(mask), or use(first, second), unless no closed mask is known for an element:
+/// The limits of a scheme. A scheme whose limits are known in closed form specialises this template, next to its own
+/// definition. Its functions call use(mask), or use(first, second), unless no closed-form mask is known for an element:
 ///
 ///   template <>
 ///   struct kith::limit_rules<my_scheme> : kith::limit_defaults {
@@ -84,8 +89,9 @@ protected:
 ///       static void tangents(const my_scheme& s, const kith::vertex<Level>& v, const auto& use);
 ///   };
 ///
-/// and of face<Level> where faces go to one point of it, too; tangents are two there, counter-clockwise. One without
-/// them has its limits found by refining (limit_surface). Precondition: specialised before limits are asked for.
+/// There are overloads for face<Level>, too, if faces shrink to one point of the surface. The two tangents are
+/// counter-clockwise. Without a specialisation the limits of a scheme are found by refining (limit_surface).
+/// Precondition: the specialisation comes before the first use.
 template <scheme Scheme>
 struct limit_rules : limit_defaults {
     static_assert(
@@ -93,7 +99,7 @@ struct limit_rules : limit_defaults {
         "a scheme has a member limit_position, which kith does not read; specialise kith::limit_rules for it");
 };
 
-/// With fields beside it a scheme has the limits that it has without.
+/// The limit rules of a scheme with fields: those of the scheme without them.
 template <scheme Scheme, class... Fields>
 struct limit_rules<with_fields<Scheme, Fields...>> : limit_rules<Scheme> {
     template <level Level>

@@ -11,14 +11,15 @@
 namespace kith {
 
 /// The points that continue the lines of a quad mesh beyond their vertices, for rules along four points of a line.
-/// Beyond a regular vertex that is the next vertex, beyond an extraordinary one Kobbelt's virtual point, in which
-/// `gamma` weighs the vertices opposite it, and beyond a boundary a reflection. Kobbelt 1996; docs/schemes.md.
+/// Beyond a regular vertex this is the next vertex. Beyond an extraordinary one it is Kobbelt's virtual point, in which
+/// `gamma` weighs the vertices opposite the vertex. Beyond a boundary it is a reflection. Kobbelt 1996;
+/// docs/schemes.md.
 template <mask_evaluator Space, weight_number Scalar>
 class virtual_points {
     using waves = ring_waves<Space, 0>;
 
 public:
-    /// Cost: O(corners), those of large fans times their logarithm.
+    /// Takes a step and the weight gamma. Cost: O(corners); the n corners of large fans cost O(n log n).
     template <step_context R>
     virtual_points(const R& r, double gamma)
         : gamma_(gamma)
@@ -47,7 +48,7 @@ private:
     {
         return kinds_[v.index()] == fan_kind::regular;
     }
-    /// The vertex that continues the edge of c beyond c's own vertex, which is inside and has valence 4.
+    /// Returns the vertex that continues the edge of c beyond c's own vertex, which is inside and has valence 4.
     template <corner_element Corner>
     static auto straight_on(const Corner& c)
     {
@@ -58,14 +59,14 @@ private:
     {
         if (not e.is_boundary())
             return use(beyond(e.lcorner()), beyond(e.rcorner()));
-        const auto along = [](auto v, auto w, auto rim) { // corners end the curve: reflect
+        const auto along = [](auto v, auto w, auto rim) { // the curve ends at corners: reflect
             return choose(v.face_count() == 1, [v, w] { return 2. * v - w; }, [rim] { return sum(rim); });
         };
         const auto x = e.org();
         const auto y = e.dst();
         use(along(x, y, x.last_rim()), along(y, x, y.first_rim()));
     }
-    /// Beyond the vertex of c, along the edge of c.
+    /// Returns the point that continues the edge of c beyond the vertex of c.
     template <corner_element Corner>
     [[nodiscard]] auto beyond(const Corner& c) const
     {
@@ -84,7 +85,8 @@ private:
         };
         return choose(v.is_boundary(), [c, v] { return 2. * v - c.next().v(); }, inside);
     }
-    /// 4/n sum l_j - (l_-1 + l_0 + l_1) + gamma (k_-2 + k_-1 + k_0 + k_1 - 4/n sum k_j), the sums being there.
+    /// Returns the virtual point of a large fan from stored sums:
+    /// 4/n sum l_j - (l_-1 + l_0 + l_1) + gamma (k_-2 + k_-1 + k_0 + k_1 - 4/n sum k_j).
     template <corner_element Corner>
     [[nodiscard]] auto beyond_large_fan(const Corner& c) const
     {
@@ -97,7 +99,8 @@ private:
                Scalar(gamma_) * (k(twice_before) + k(before) + k(c) + k(after) + opposites.mask({-4, 0, 0}, 0));
     }
 
-    /// Of the neighbours l_j of a vertex of valence n, l_0 being the other end of the edge: 4/n - [j = -1, 0, 1].
+    /// Returns the weights of the neighbours l_j of a vertex of valence n: 4/n - [j = -1, 0, 1]. l_0 is the other end
+    /// of the edge.
     static std::vector<double> neighbor_weights(std::size_t n)
     {
         std::vector<double> row(n, 4. / double(n));
@@ -105,7 +108,8 @@ private:
             row[j % n] -= 1;
         return row;
     }
-    /// Of the vertices k_j opposite it in its faces, k_j between l_j and l_j+1: gamma ([j = -2, -1, 0, 1] - 4/n).
+    /// Returns the weights of the vertices k_j opposite it in its faces: gamma ([j = -2, -1, 0, 1] - 4/n). k_j lies
+    /// between l_j and l_j+1.
     static std::vector<double> opposite_weights(std::size_t n, double gamma)
     {
         std::vector<double> row(n, -4 * gamma / double(n));

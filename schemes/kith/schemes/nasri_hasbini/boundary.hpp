@@ -9,7 +9,8 @@
 
 namespace kith::detail {
 
-/// The boundary curve is the ternary cubic B-spline; a vertex with one face is a corner. docs/schemes.md.
+/// Makes the points of a boundary vertex. The boundary curve is the ternary cubic B-spline; a vertex with one face is a
+/// corner. docs/schemes.md.
 template <vertex_element Vertex, mask_evaluator Assoc, class LargeFaces>
 void make_ternary_boundary(const Vertex& v, const Assoc& assoc, const LargeFaces& large)
 {

@@ -15,10 +15,10 @@ namespace kith {
 
 // The weights of Nasri-Hasbini's scheme, in units of 1/729; docs/schemes.md says how they are used.
 
-/// Which of the three kinds of points of a vertex a weight is for: (v), (v, e_0) or (v, f_0).
+/// The kinds of new points of a vertex that weights are for: (v), (v, e_0) or (v, f_0).
 enum class ternary_point : unsigned char { vertex, edge, face };
 
-/// The weight of the vertex itself.
+/// Returns the weight of the vertex itself.
 constexpr double center_weight(ternary_point point)
 {
     return point == ternary_point::vertex ? 361 : point == ternary_point::edge ? 304 : 256;
@@ -26,7 +26,8 @@ constexpr double center_weight(ternary_point point)
 
 namespace detail {
 
-/// (x0 + 2 x1 cos t + h x2 cos 2t) / n at the angle of `half_steps` halves of 1/n of a turn; h = 1 for n = 4, else 2.
+/// The weights (x0 + 2 x1 cos t + h x2 cos 2t) / n, with h = 1 for n = 4, else 2. The angle t is `half_steps` halves of
+/// 1/n of a turn.
 struct ring_kernel {
     double x0, x1, x2;
 
@@ -34,14 +35,15 @@ struct ring_kernel {
     {
         return wave_kernel{x0, x1, n == 4 ? x2 / 2 : x2}.at(half_steps, n);
     }
-    /// The same for n >= 5.
+    /// Returns the same weights for n >= 5.
     operator wave_kernel() const { return {x0, x1, x2}; }
 };
 
 inline constexpr double sqrt2 = 1.4142135623730950488;
 inline constexpr double sqrt5 = 2.2360679774997896964;
 
-/// b and c are for the neighbours and the opposite vertices in (v,e), q and g in (v,f).
+/// Returns the kernel of the neighbours in (v,e), kernel_c that of the opposite vertices. kernel_q and kernel_g are the
+/// same in (v,f).
 constexpr ring_kernel kernel_b(std::size_t n)
 {
     return n <= 3 ? ring_kernel{337, 199, 0} : n == 4 ? ring_kernel{337, 171, 81} : ring_kernel{337, 189, 72};
@@ -63,7 +65,8 @@ constexpr ring_kernel kernel_g(std::size_t n)
 
 } // namespace detail
 
-/// The weight of neighbour e_j, and of the vertex d_j opposite in the face between e_j and e_j+1, at valence n.
+/// Returns the weight of neighbour e_j at valence n. opposite_weight returns that of the vertex d_j opposite in the
+/// face between e_j and e_j+1.
 constexpr double neighbor_weight(ternary_point point, std::size_t j, std::size_t n)
 {
     if (point == ternary_point::vertex)
@@ -79,23 +82,24 @@ constexpr double opposite_weight(ternary_point point, std::size_t j, std::size_t
                                         : detail::kernel_g(n).at(2 * std::int64_t(j), n);
 }
 
-/// The point that stands for the opposite vertex in a face of m >= 5 corners.
+/// The kernel of the point that stands for the opposite vertex in a face of m >= 5 corners.
 inline constexpr wave_kernel diagonal_kernel{1, -1, 1};
 
-/// The weight of the k-th corner in the point that stands for the opposite vertex in a face of m != 4 corners.
+/// Returns the weight of the k-th corner in the point that stands for the opposite vertex in a face of m != 4 corners.
 constexpr double diagonal_weight(std::size_t k, std::size_t m)
 {
     return (m >= 5 ? diagonal_kernel : wave_kernel{1, -1, 0}).at(2 * std::int64_t(k), m);
 }
 
-/// What a new point takes from a face of m != 4 corners: the weights of its corners, counted from the vertex of the new
-/// point (and along its edge), have these waves and sum to x0; the last one for m >= 5.
+/// Returns the waves of the weights that a new point gives to the corners of a face of m != 4 corners. Corners are
+/// counted from the vertex of the new point (and along its edge), and the weights sum to x0. The last wave is for m >=
+/// 5.
 inline wave_kernel polygon_kernel(ternary_point point, std::size_t m)
 {
     using complex = std::complex<double>;
     constexpr double arc = 0.46364760900080611621; // atan(1/2)
     const double x = 4 * arc / double(m);
-    double cosine = 1, sine = 1; // by their series, as exact_cos does and for the same reason
+    double cosine = 1, sine = 1; // by their series, for the same reason as in exact_cos
     for (int i = 20; i > 0; i -= 2) {
         cosine = 1 - x * x / (i * (i - 1)) * cosine;
         sine = 1 - x * x / (i * (i + 1)) * sine;
@@ -120,7 +124,7 @@ inline wave_kernel polygon_kernel(ternary_point point, std::size_t m)
     }
 }
 
-/// The weight of the k-th corner by this kernel; they sum to one.
+/// Returns the weight of the k-th corner by polygon_kernel, divided by x0: the weights of all corners sum to one.
 inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
 {
     const auto [k0, k1, k2] = polygon_kernel(point, m);
@@ -155,7 +159,8 @@ private:
         q_{make<ternary_point::face, false>}, g_{make<ternary_point::face, true>};
 };
 
-/// The weights around a vertex beside faces that are not quads. Doubles: they are combined before they become scalars.
+/// The weights around a vertex beside faces that are not quads. They are doubles, since they are combined before they
+/// become scalars.
 class polygon_weights {
 public:
     static const polygon_weights& shared()
@@ -164,7 +169,8 @@ public:
         return weights;
     }
 
-    /// `neighbor_weight` and `opposite_weight`. Precondition: n <= longest_row, but for the point of the vertex.
+    /// Returns `neighbor_weight`, and `opposite` returns `opposite_weight`. Precondition: n <= longest_row, except for
+    /// ternary_point::vertex.
     [[nodiscard]] double neighbor(ternary_point point, std::size_t j, std::size_t n) const
     {
         return point == ternary_point::vertex ? neighbor_weight(point, j, n) : neighbors_[index(point)](n)[j];
@@ -173,9 +179,9 @@ public:
     {
         return point == ternary_point::vertex ? opposite_weight(point, j, n) : opposites_[index(point)](n)[j];
     }
-    /// `polygon_weight` by k. Precondition: m <= longest_row.
+    /// Returns `polygon_weight` for each k. Precondition: m <= longest_row.
     [[nodiscard]] const double* special(ternary_point point, std::size_t m) const { return special_[index(point)](m); }
-    /// `diagonal_weight` by k. Precondition: m <= longest_row.
+    /// Returns `diagonal_weight` for each k. Precondition: m <= longest_row.
     [[nodiscard]] const double* diagonal(std::size_t m) const { return diagonal_(m); }
 
 private:

@@ -16,7 +16,7 @@
 
 namespace kith::detail {
 
-/// The vertex opposite that of c in its face; in a face that is not a quad a point that stands for it.
+/// Returns the vertex opposite that of c in its face; in a face that is not a quad, a point that stands for it.
 template <corner_element Corner, class LargeFaces>
 auto diagonal(const Corner& c, const LargeFaces& large)
 {
@@ -33,9 +33,9 @@ auto diagonal(const Corner& c, const LargeFaces& large)
 }
 
 /// The points of an inner vertex beside faces that are not quads; docs/schemes.md, Nasri-Hasbini. The ring weights of
-/// the quad rule are redistributed: what belongs to a special face (one that holds the new point) is spent on the
-/// corners of that face by its own kernel. Cost: O(valence + corners of the faces that are not large); in fans that are
-/// not large, times 64.
+/// the quad rule are redistributed. The weights that belong to a special face (one that contains the new point) go to
+/// the corners of that face, by its own kernel. Cost: O(valence + corners of the faces that are not large); in fans
+/// that are not large, times 64.
 template <vertex_element Vertex, mask_evaluator Assoc, class LargeFaces>
 class beside_polygons {
 public:
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// A vertex, or a sum of vertices that is there already.
+    /// A vertex, or a sum of vertices that is already known.
     struct operand : mask_base {
         Vertex vertex;
         const typename Assoc::sum* known;
@@ -118,8 +118,8 @@ private:
         target = weighted(row_) / 729;
     }
 
-    /// The points on the edges and in the faces of a large fan: that of the quad rule, by its waves, but what the one
-    /// or two special faces of each point change.
+    /// Makes the points on the edges and in the faces of a large fan: those of the quad rule, by its waves, corrected
+    /// for the one or two special faces of each point.
     void make_large()
     {
         using namespace targets;
@@ -142,7 +142,8 @@ private:
             assoc_(ring_[i], V) = weighted(row_) / 729;
         }
     }
-    /// Redistributes in the row of the quad rule what belongs to special faces; `near` may be twice the same one.
+    /// Redistributes, in the row of the quad rule, the weights that belong to special faces. `near` has the faces of
+    /// the new point, twice the same one for a point in a face.
     void mend(ternary_point point, std::size_t i, std::array<std::size_t, 2> near)
     {
         const std::size_t n = ring_.size();

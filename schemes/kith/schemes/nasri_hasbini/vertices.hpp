@@ -17,7 +17,7 @@
 
 namespace kith::detail {
 
-/// The points of an inner vertex among quads with a large fan, by the waves of its ring.
+/// Makes the points of an inner vertex among quads with a large fan, by the waves of its ring.
 template <vertex_element Vertex, mask_evaluator Assoc>
 void make_large_inner(const Vertex& v, const Assoc& assoc)
 {
@@ -33,9 +33,9 @@ void make_large_inner(const Vertex& v, const Assoc& assoc)
     }
 }
 
-/// Calls inner(v, weights) for each inner vertex among quads, with the weights of its valence, and makes the points of
-/// all others: at the boundary, beside faces that are not quads, and with large fans. Cost: O(corners), those of large
-/// faces times the logarithm of their number.
+/// Calls inner(v, weights) for each inner vertex among quads, with the weights of its valence. Makes the points of all
+/// other vertices: at the boundary, beside faces that are not quads, and with large fans. Cost: O(corners); each corner
+/// of a large face costs O(log large faces).
 template <step_context R, class Inner>
 void make_ternary_points(const R& r, const Inner& inner)
 {

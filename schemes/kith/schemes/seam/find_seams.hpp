@@ -17,29 +17,30 @@
 
 namespace kith {
 
-/// Where values at corners stay linear along seams and boundaries, or everywhere: OpenSubdiv's choices, by its names.
+/// The places where values at corners stay linear: along seams and boundaries, or everywhere. These are OpenSubdiv's
+/// choices, by its names.
 enum class face_varying_linear : unsigned char {
     none,          ///< nowhere: seams are smooth curves, also around a vertex where a single face lies between them
-    corners_only,  ///< there
-    corners_plus1, ///< and where three values or more meet, or seams and infinitely sharp edges
-    corners_plus2, ///< and where seams end, or one of two values is at a corner
+    corners_only,  ///< around a vertex where a single face lies between seams
+    corners_plus1, ///< as corners_only, and where three values or more meet, or seams and infinitely sharp edges
+    corners_plus2, ///< as corners_plus1, and where seams end, or one of two values is at a corner
     boundaries,    ///< along all seams and boundaries
     all            ///< everywhere: linear inside each face
 };
 
-/// Finds the seams of values at the corners of a level, and the rules of the values there.
+/// A search for the seams of values at the corners of a level, and for the rules of the values there.
 template <class T, level Level>
     requires std::equality_comparable<T>
 class seam_finder {
 public:
-    /// All must outlive this.
+    /// Takes a level, values and creases, all of which must outlive this object.
     seam_finder(const Level& level, std::span<const T> values, const creases& sharp, boundary_corner corners,
                 face_varying_linear linear)
         : level_(level), values_(values), sharp_(sharp), corners_(corners), linear_(linear)
     {
     }
 
-    /// A mark for each corner. Cost: O(corners), and O(n log n) at a vertex where n spans meet.
+    /// Returns a mark for each corner. Cost: O(corners), and O(n log n) at a vertex where n spans meet.
     [[nodiscard]] storage<corner_mark> find() const
     {
         storage<corner_mark> marks(level_.corner_count(), corner_mark());
@@ -100,14 +101,14 @@ private:
         }
     }
 
-    /// Without a seam the values at a boundary vertex go by other rules than its point.
+    /// Returns true if the values at a boundary vertex follow other rules than its point even without a seam.
     [[nodiscard]] bool differs_along_boundary(const vertex<Level>& v) const
     {
         return v.is_boundary() and
                (linear_ == face_varying_linear::boundaries or
                 (linear_ != face_varying_linear::none and corners_ == boundary_corner::smoothed and v.has_valence(2)));
     }
-    /// What one value does depends on the others at the vertex.
+    /// Returns true if the rule of one value depends on the other values at the vertex.
     [[nodiscard]] bool depends() const
     {
         return linear_ == face_varying_linear::corners_plus1 or linear_ == face_varying_linear::corners_plus2;
@@ -125,7 +126,7 @@ private:
                 any([](const known_span& s) { return s.span.faces == 1; }));
     }
 
-    /// How many different values there are at a vertex; marks the spans that have the same.
+    /// Returns the number of different values at a vertex, and marks the spans that share one.
     [[nodiscard]] std::size_t count_values(std::vector<known_span>& spans) const
     {
         const auto of = [&](const known_span& s) -> const T& { return value(s.span.first); };
@@ -138,7 +139,7 @@ private:
             for (auto& s : spans)
                 if (of(s) == of(s))
                     order.push_back(&s);
-                else // not a number, and so like no other
+                else // not a number, which equals no other value
                     ++count;
             std::ranges::sort(order, [&](const auto* a, const auto* b) { return of(*a) < of(*b); });
             for (std::size_t i = 0; i < order.size(); ++i)

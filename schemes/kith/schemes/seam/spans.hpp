@@ -8,27 +8,27 @@
 
 namespace kith {
 
-/// By which rule the value that a vertex has at a corner goes to the next level.
+/// The rule by which the value that a vertex has at a corner is carried to the next level.
 enum class corner_rule : unsigned char {
-    of_vertex, ///< the scheme's own: no seam meets the vertex
-    curve,     ///< that of a boundary; what is sharp between the seams makes it a corner for so long
-    corner,    ///< it stays
-    dependent  ///< it stays for as long as what is sharp on the other side of the seam, then that of a boundary
+    of_vertex, ///< the scheme's own rule: no seam meets the vertex
+    curve,     ///< that of a boundary, but a corner for as long as an element between the seams is sharp
+    corner,    ///< the value stays
+    dependent  ///< the value stays while an element on the other side of the seam is sharp, then as curve
 };
 
-/// What is known of a corner beside its value.
+/// The rule of the value at a corner, and whether the corner is at a seam.
 struct corner_mark {
     corner_rule rule = corner_rule::of_vertex;
-    bool seam = false; ///< on both sides of its next edge: the faces there say different things at one of the ends
+    bool seam = false; ///< its next edge is a seam: the two faces have different values at one of its ends
 };
 
-/// Faces that follow one another around a vertex without a seam between, so that all of them have one value there.
+/// A span: consecutive faces around a vertex without a seam between them, so that all of them have one value there.
 template <walkable_level Level>
 struct corner_span {
     corner<Level> first, last; ///< counter-clockwise
     std::size_t faces;
 
-    /// Calls f(corner) for those of the vertex in these faces.
+    /// Calls f(corner) for each corner of the vertex in these faces.
     template <class F>
     void for_corners(const F& f) const
     {
@@ -40,7 +40,7 @@ struct corner_span {
             c = c.prev().across();
         }
     }
-    /// Calls f(edge) for those that lie between two of the faces.
+    /// Calls f(edge) for each edge between two of the faces.
     template <class F>
     void for_inner_edges(const F& f) const
     {
@@ -51,8 +51,8 @@ struct corner_span {
     }
 };
 
-/// Calls f(span) for those around a vertex, counter-clockwise from its first corner or, inside, from a seam. A vertex
-/// inside with one seam has one span, all around; so has one without. Cost: O(valence).
+/// Calls f(span) for each span around a vertex, counter-clockwise from its first corner or, if it is inside, from a
+/// seam. An inner vertex with at most one seam has one span, all around. Cost: O(valence).
 template <walkable_level Level, class F>
 void for_each_span(const vertex<Level>& v, std::span<const corner_mark> marks, const F& f)
 {

@@ -18,9 +18,9 @@
 
 namespace kith {
 
-/// The values at the corners of a level, as the new vertices have them in the faces of the next one. A vertex and an
-/// edge away from seams have one value, by the masks of the scheme itself, in which a neighbour counts with its value
-/// on this side of its own seams; so has a face. Along a seam each side is a surface of its own, with a boundary.
+/// The values at the corners of a level, as the new vertices have them in the faces of the next level. A face, and a
+/// vertex or edge away from seams, have one value, by the masks of the scheme itself. In these masks a neighbour has
+/// the value on this side of its own seams. Along a seam each side is a separate surface with a boundary.
 template <class T, finished_step Step>
 class varied_level {
     using level_type = std::remove_cvref_t<decltype(std::declval<const Step&>().coarse)>;
@@ -33,7 +33,7 @@ public:
         corner_rule rule;
     };
 
-    /// All must outlive this.
+    /// Takes a step, values and marks, all of which must outlive this object.
     varied_level(const Step& step, std::span<const T> values, std::span<const corner_mark> marks,
                  face_varying_linear linear)
         : step_(step)
@@ -56,7 +56,8 @@ public:
         });
     }
 
-    /// The value of a new vertex in a new face, and how it goes on; both by the tuples that gave birth to them.
+    /// Returns the value of a new vertex in a new face, and its rule on the next level. Both elements are given by the
+    /// tuples that gave birth to them.
     [[nodiscard]] value_and_mark at(const tuple& face, const tuple& vertex, std::size_t new_vertex) const
     {
         if (vertex.first == tuple_kind::v) {
@@ -73,7 +74,7 @@ public:
         }
         return {smooth_[new_vertex], corner_rule::of_vertex};
     }
-    /// Whether the edge of a new face from one new vertex to another lies on a seam.
+    /// Returns true if the edge of a new face from one new vertex to another lies on a seam.
     [[nodiscard]] bool is_seam(const tuple& face, const tuple& from, const tuple& to) const
     {
         const bool along_edge = (from.first == tuple_kind::v) != (to.first == tuple_kind::v) and
@@ -87,7 +88,7 @@ private:
 
     [[nodiscard]] const creases& creases_of_level() const { return step_.scheme.sharpness; }
 
-    /// The corner before an edge in the old face that gave birth to a new one.
+    /// Returns the corner before an edge in the old face that gave birth to a new one.
     [[nodiscard]] corner<view_type> side(const tuple& face, std::size_t edge) const
     {
         if (face.first == tuple_kind::vf) {
@@ -111,7 +112,8 @@ private:
         });
     }
 
-    /// What is sharp inside a span: on this level, on the next one, and how much of it is left in between.
+    /// The sharpness inside a span: whether there is any on this level and on the next one, and the weight of the
+    /// sharper rule in between.
     struct sharp_inside {
         bool now, later;
         double weight;
@@ -164,7 +166,7 @@ private:
         return {here(span), rule};
     }
     [[nodiscard]] const T& here(const span_type& span) const { return values_[span.first.index()]; }
-    /// Between the value, which has this weight, and the curve along the ends of the span.
+    /// Returns a blend of the value, which has this weight, and the curve along the ends of the span.
     [[nodiscard]] T along(const span_type& span, double weight) const
     {
         const auto v = span.first.v(), before = span.first.next().v(), after = span.last.prev().v();
@@ -190,8 +192,8 @@ private:
     face_varying_linear linear_;
     corner_values<T, level_type> old_values_;
     std::vector<creases::large_fan> large_fans_;
-    storage<T> smooth_, at_corners_; ///< of new vertices, and of old ones at seams
-    storage<corner_rule> rules_;     ///< of old vertices on the next level
+    storage<T> smooth_, at_corners_; ///< of new vertices; of old vertices at seams, by corner
+    storage<corner_rule> rules_;     ///< of old vertices on the next level, by corner
 };
 
 } // namespace kith

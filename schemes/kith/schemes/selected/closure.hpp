@@ -13,28 +13,30 @@
 
 namespace kith {
 
-/// What a side of a face is to the green face that it belongs to: a face beside split ones, which has not been split
-/// itself but has vertices on its sides. A face of polygons has them as corners of its own, a triangle is cut in two.
+/// The relation of a side of a face to its green face. A green face lies beside split ones: it has not been split
+/// itself, but has vertices on its sides. In a green polygon these vertices are corners of its own; a green triangle is
+/// cut in two.
 enum class side_kind : unsigned char {
     whole,       ///< a whole side, as all sides of other faces
-    first_half,  ///< of a side that was cut, the half up to the vertex on it
-    second_half, ///< and the half behind that vertex
-    inner,       ///< where a triangle was cut in two
+    first_half,  ///< the half of a cut side up to the vertex on it
+    second_half, ///< the half behind that vertex
+    inner,       ///< the side between the two triangles of a cut one
 };
 
-/// Which faces of a level are split, and what keeps the next level conforming: red-green refinement, Bank, Sherman &
-/// Weiser 1983. Chosen faces are red, that is, split by the rule of the scheme. A face becomes red, too, if no more
-/// than one of its sides stays whole, and a green face if one of its parts is chosen or a half of its side is cut: then
-/// it is split as if it had never been green, so that no face is ever made of a part of a green one. What else has a
-/// cut side is green. This is the least set with these properties, whatever the order. State of a level. `Split` says
-/// what becomes of the faces.
+/// The faces of a level that are split, and those that keep the next level conforming: red-green refinement, Bank,
+/// Sherman & Weiser 1983. Chosen faces are red, that is, split by the rule of the scheme. A face becomes red, too, if
+/// at most one of its sides stays whole. A green face becomes red if one of its parts is chosen or a half of its side
+/// is cut. It is then split as if it had never been green, so that no face is ever made of a part of a green one. Every
+/// other face with a cut side is green. This is the least set with these properties and does not depend on the order.
+/// It is state of a level. `Split` defines the parts of the faces.
 template <class Split>
 class closure {
 public:
-    /// All faces are split, and none is green: the level and the next one are those of the scheme alone.
+    /// Returns true if all faces are split and none is green. The level and the next one are then those of the scheme
+    /// alone.
     [[nodiscard]] bool is_everything() const { return red_.empty(); }
 
-    /// One flag per face, those that were chosen; none where all are.
+    /// Returns one flag per face, set for chosen faces; none if all faces are chosen.
     [[nodiscard]] std::span<const unsigned char> chosen() const { return chosen_; }
 
     template <face_element Face>
@@ -47,19 +49,19 @@ public:
     {
         return cut_.empty() or cut_[e.index()] != 0;
     }
-    /// What the side from a corner to the next one is.
+    /// Returns the kind of the side from a corner to the next one.
     template <corner_element Corner>
     [[nodiscard]] side_kind side(const Corner& c) const
     {
         return sides_.empty() ? side_kind::whole : sides_[c.index()];
     }
-    /// The corner is a vertex on a side of a green polygon.
+    /// Returns true if the corner is a vertex on a side of a green polygon.
     template <corner_element Corner>
     [[nodiscard]] bool lies_on_side(const Corner& c) const
     {
         return Split::makes_polygons and side(c) == side_kind::second_half;
     }
-    /// Two triangles are a green pair, one face when it comes to being split.
+    /// Returns true if two triangles are a green pair, which is split as one face.
     template <face_element Face>
     [[nodiscard]] bool is_pair(const Face& f, const Face& g) const
     {
@@ -68,8 +70,8 @@ public:
                 return true;
         return false;
     }
-    /// For each vertex whether a face around it is green; nothing where none is or where they are not asked for. Cost:
-    /// O(level).
+    /// Returns a flag for each vertex, set if a face around it is green; no flags if no face is green or
+    /// `are_asked_for` is false. Cost: O(level).
     template <level Level>
     [[nodiscard]] std::vector<unsigned char> vertices_of_green(const Level& level, bool are_asked_for) const
     {
@@ -86,7 +88,8 @@ public:
         }
         return result;
     }
-    /// An edge at the vertex is cut: the vertex has the scheme's rule, all others stay where they are.
+    /// Returns true if an edge at the vertex is cut. The vertex then follows the scheme's rule; all other vertices
+    /// stay.
     template <vertex_element Vertex>
     [[nodiscard]] bool is_moved(const Vertex& v) const
     {
@@ -111,7 +114,7 @@ public:
         close(level);
     }
 
-    /// Errors: mesh_error unless it is a closure of this level. Cost: O(level).
+    /// Throws mesh_error unless this is a closure of the given level. Cost: O(level).
     template <level Level>
     void require_one_each(const Level& level) const
     {
@@ -133,7 +136,7 @@ public:
                 std::to_string(level.face_count()) + " faces");
     }
 
-    /// That of the next level: its green faces; all faces are chosen.
+    /// Returns the closure of the next level, with its green faces. All of its faces are chosen.
     template <finished_step Step>
     [[nodiscard]] closure after(const Step& step) const
     {
@@ -155,7 +158,7 @@ public:
         return result;
     }
 
-    /// As a message, and from one: the green faces and what was chosen.
+    /// Writes the flags of the faces and edges and the kinds of sides to a message; unpack reads them.
     template <message_writer Out>
     void pack(Out& out) const
     {
@@ -183,14 +186,14 @@ private:
         std::vector<typename Level::index_type> whole_sides(level.face_count(), 0);
         for (const auto& c : level.corners())
             whole_sides[c.f().index()] += side(c) == side_kind::whole;
-        std::vector<std::size_t> waiting; // faces that are red, with sides that may have to be cut
+        std::vector<std::size_t> waiting; // red faces with sides that may have to be cut
         const auto redden = [&](const auto& f) {
             if (red[f.index()] == 0) {
                 red[f.index()] = 1;
                 waiting.push_back(f.index());
             }
         };
-        const auto cut_side = [&](const auto& c) { // of a face on one side of the edge
+        const auto cut_side = [&](const auto& c) { // for the face on one side of the edge
             if (side(c) != side_kind::whole or --whole_sides[c.f().index()] <= 1)
                 redden(c.f());
         };
@@ -217,8 +220,8 @@ private:
         cut_ = std::move(cut);
     }
 
-    std::vector<unsigned char> chosen_, red_, cut_; // by face, face, edge; empty where it is all of them
-    std::vector<side_kind> sides_;                  // by corner; empty where all are whole
+    std::vector<unsigned char> chosen_, red_, cut_; // by face, face, edge; empty if all are set
+    std::vector<side_kind> sides_;                  // by corner; empty if all are whole
 };
 
 } // namespace kith

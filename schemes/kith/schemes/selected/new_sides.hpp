@@ -9,8 +9,8 @@
 
 namespace kith {
 
-/// What the side from a corner of a face to the next one gives birth to, each the side of the new edge that runs the
-/// same way: the edge itself where it is kept, and where it is cut its halves.
+/// The new sides to which the side from a corner of a face to the next one gives birth, each in the same direction. A
+/// kept edge gives birth to itself, a cut edge to its halves.
 template <mask_evaluator Assoc>
 class new_sides {
     static constexpr targets::to_edge E{};
@@ -40,10 +40,10 @@ protected:
     const Assoc& assoc_;
 };
 
-/// Makes the faces of the next level, and says where the fans of the old vertices and of those on cut edges start.
-/// `split_of(face)` knows how a face is split: make_all() makes what it gives birth to, and the half-edges
-/// leaving(corner) and leaving_middle(corner), each as the corner that it starts in and its side, leave the vertex of a
-/// corner and the middle of the side from it. Cost: O(corners).
+/// Makes the faces of the next level, and sets where the fans of the old vertices and of those on cut edges start.
+/// `split_of(face)` returns the split of a face, with these members: make_all() makes the new elements. leaving(corner)
+/// and leaving_middle(corner) return half-edges, each as the corner in which it starts and its side. They leave the
+/// vertex of a corner and the middle of the side from it. Cost: O(corners).
 template <step_context R, class Closure, class SplitOf>
 void connect_split_faces(const R& r, const Closure& marks, const SplitOf& split_of)
 {

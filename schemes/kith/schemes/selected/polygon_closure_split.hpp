@@ -13,15 +13,15 @@
 
 namespace kith {
 
-/// The quad split of some faces of a level: red faces are split into a quad per corner; in a green one the vertices on
+/// The quad split of some faces of a level. Red faces are split into a quad per corner. In a green face the vertices on
 /// its cut sides become corners, at most one on each side. So a green face is a polygon: one of n sides has n + 1 to 2n
-/// - 2 corners, a quad 5 or 6. When it turns red its own corners give birth to the quads, and those on its sides become
-/// what the middles of sides are. A quad at a half of a side that is cut in the same step is green at once. In a green
-/// face with the vertex m on side ab
+/// - 2 corners, a quad 5 or 6. If a green face turns red, its own corners give birth to the quads. The vertices on its
+/// sides serve as the middles of sides. A quad at a half of a side that is cut in the same step is green at once. In a
+/// green face with the vertex m on side ab the kinds of side are:
 ///
 ///   a first_half    m second_half    all others whole
 ///
-/// Numbers are those of quad_split where all is red: kept edges and those from the corners on sides come after all
+/// Numbers are those of quad_split if all faces are red: kept edges and those from the corners on sides come after all
 /// others.
 struct polygon_closure_split {
     static constexpr bool makes_polygons = true;
@@ -60,7 +60,7 @@ struct polygon_closure_split {
                       per_face.only(green_face).of_degree(corners_of_green)));
     }
 
-    /// It has corners on its sides.
+    /// Returns true if the face has corners on its sides.
     template <face_element Face>
     static bool is_green(const closure<polygon_closure_split>& marks, const Face& f)
     {
@@ -69,7 +69,7 @@ struct polygon_closure_split {
                 return true;
         return false;
     }
-    /// The vertices of a face without those on its sides.
+    /// Returns the vertices of a face without those on its sides.
     template <face_element Face>
     static auto own_vertices(const closure<polygon_closure_split>& marks, const Face& f)
     {
@@ -96,7 +96,7 @@ struct polygon_closure_split {
         });
     }
 
-    /// Calls put(new face, k, kind) for the sides of the next level that are no whole ones.
+    /// Calls put(new face, k, kind) for each side of the next level that is not whole.
     template <level Level, level_numbering Numbering, class Put>
     static void for_each_part_of_side(const Level& coarse, const Numbering& ids,
                                       const closure<polygon_closure_split>& marks, const Put& put)
@@ -128,14 +128,14 @@ struct polygon_closure_split {
 private:
     using marks_type = closure<polygon_closure_split>;
 
-    /// The side from this corner is a half, and cut once more.
+    /// Returns true if the side from this corner is a half that is cut once more.
     template <corner_element Corner>
     static bool is_cut_half(const marks_type& marks, const Corner& c)
     {
         return marks.side(c) != side_kind::whole and marks.is_cut(c.next_edge());
     }
 
-    /// How one face is split.
+    /// The split of one face.
     template <mask_evaluator Assoc, face_element Face>
     class face_split : new_sides<Assoc> {
         using line = face_line<typename Assoc::index_type>;
@@ -144,7 +144,8 @@ private:
         static constexpr targets::to_face F{};
         using new_sides<Assoc>::assoc_, new_sides<Assoc>::kept, new_sides<Assoc>::start, new_sides<Assoc>::end;
 
-        /// The lines of a quad, of which two sides may be cut: there are many, and none shall ask for memory.
+        /// The lines of a quad, of which two sides may be cut. They are stored inline: quads are many, and none may
+        /// allocate.
         class quad_lines {
         public:
             void push_back(const line& more) { lines_[size_++] = more; }
@@ -155,7 +156,7 @@ private:
             std::array<line, 6> lines_;
             std::size_t size_ = 0;
         };
-        /// The sides of a new edge, whatever gave birth to it.
+        /// The sides of a new edge, whichever tuple gave birth to it.
         struct sides {
             new_side<typename Assoc::index_type> left, right;
         };
@@ -176,8 +177,8 @@ private:
                         make_quad(c);
         }
 
-        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
-        /// side.
+        /// Returns the start of the new half-edge that leaves the vertex of a corner along its side: the corner in
+        /// which it starts, and its side.
         template <corner_element Corner>
         [[nodiscard]] auto leaving(const Corner& c) const
         {
@@ -188,8 +189,8 @@ private:
                 return std::pair(assoc_(c.next(), F).corner(3 + std::size_t(is_cut_half(marks_, c.next()))), side);
             return std::pair(assoc_(c, F).corner(0), side);
         }
-        /// The same for the vertex in the middle of the side: along its second half or, where the side is a whole one
-        /// of a red face, along the edge to the centre.
+        /// Returns the same for the vertex in the middle of the side. In a red face with a whole side the half-edge
+        /// runs along the edge to the centre, otherwise along the second half of the side.
         template <corner_element Corner>
         [[nodiscard]] auto leaving_middle(const Corner& c) const
         {
@@ -201,8 +202,8 @@ private:
                 return std::pair(assoc_(c, F).corner(1), spoke(c).left);
             return std::pair(assoc_(c, F).corner(1), end(c));
         }
-        /// The edge from the middle of the side to the centre of a red face; the corner is one of the two that the
-        /// side's halves start from, or that of the whole side.
+        /// Returns the edge from the middle of the side to the centre of a red face. The corner is that of the whole
+        /// side, or one of the two from which its halves start.
         template <corner_element Corner>
         [[nodiscard]] sides spoke(const Corner& c) const
         {
@@ -224,8 +225,8 @@ private:
                 append(lines, c);
             assoc_(f_, F) = lines;
         }
-        /// Its quad, green where halves are cut: from the corner along its side to the middle, to the centre, to the
-        /// middle of the side before and back.
+        /// Makes the quad of a corner, green if halves are cut. It runs from the corner along its side to the middle,
+        /// to the centre, to the middle of the side before and back.
         template <corner_element Corner>
         void make_quad(const Corner& c) const
         {
@@ -254,7 +255,7 @@ private:
                     return true;
             return false;
         }
-        /// The lines along a side from a corner to before the next one.
+        /// Appends the lines along a side, from a corner to before the next one.
         void append(auto& lines, const auto& c) const
         {
             lines.push_back(assoc_(c.v(), V) >> (cut(c) ? start(c) : kept(c)));

@@ -10,17 +10,16 @@
 
 namespace kith {
 
-/// The triangle split of some faces of a level with triangles only: red faces are split in four, a green one, which has
-/// one cut side, in two. A pair of green triangles that turns red is split into the four triangles of the face that it
-/// was, of which the two at its middle vertex may be green again. With m the vertex in the middle of side ab, o the one
-/// of side ca:
+/// The triangle split of some faces of a level with triangles only: red faces are split in four, a green face, which
+/// has one cut side, in two. If a pair of green triangles turns red, it is split into the four triangles of the face
+/// that it was. The two of these at its middle vertex may be green again. With m the vertex in the middle of side ab:
 ///
 ///   green:  (a, m, c) the left one, (m, b, c) the right one; the edge between them runs from m to c
 ///   corners of the left one    a first_half    m inner       c whole
 ///   corners of the right one   m second_half   b whole       c inner
 ///
-/// Numbers are those of triangle_split where all is red: kept edges come after all others, and kept faces stand in the
-/// column of the faces in the middle.
+/// Numbers are those of triangle_split if all faces are red: kept edges come after all others, and kept faces stand in
+/// the column of the faces in the middle.
 struct red_green_split {
     static constexpr bool makes_polygons = false;
 
@@ -48,7 +47,7 @@ struct red_green_split {
         connect_split_faces(r, closed, [&](const auto& f) { return face_split(closed, assoc, f); });
     }
 
-    /// Calls put(new face, k, kind) for the sides of the next level that are no whole ones.
+    /// Calls put(new face, k, kind) for each side of the next level that is not whole.
     template <level Level, level_numbering Numbering, class Put>
     static void for_each_part_of_side(const Level& coarse, const Numbering& ids, const closure<red_green_split>& marks,
                                       const Put& put)
@@ -96,7 +95,8 @@ private:
     {
         return marks.is_red(c.f()) ? has_face(marks, c) : marks.is_cut(c.next().next_edge());
     }
-    /// A face that stays, and the one in the middle of a red face; of a pair the left triangle has it.
+    /// Returns true for a face that stays, and for a red face, which has a triangle in its middle. In a red pair only
+    /// the left triangle has it.
     template <face_element Face>
     static bool has_face(const marks_type& marks, const Face& f)
     {
@@ -109,7 +109,7 @@ private:
         return true;
     }
 
-    /// How one face is split.
+    /// The split of one face.
     template <mask_evaluator Assoc, face_element Face>
     class face_split : new_sides<Assoc> {
         using corner_type = decltype(std::declval<const Face&>().first_corner());
@@ -136,8 +136,9 @@ private:
                 assoc_(f_, F) = polygon(f_.corners(), [this](const auto& c) { return along(c); });
         }
 
-        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
-        /// side. Where the side between a pair has gone it is the next one counter-clockwise.
+        /// Returns the start of the new half-edge that leaves the vertex of a corner along its side: the corner in
+        /// which it starts, and its side. If that side lay between a pair and has gone, it is the next half-edge
+        /// counter-clockwise.
         [[nodiscard]] auto leaving(const corner_type& c) const
         {
             if (not marks_.is_red(f_)) {
@@ -162,8 +163,8 @@ private:
             }
             return std::pair(assoc_(c, F).corner(0), start(c));
         }
-        /// The same for the vertex in the middle of the side: the first half-edge that leaves it, counter-clockwise
-        /// from the end of the side.
+        /// Returns the same for the vertex in the middle of the side: the first half-edge that leaves it,
+        /// counter-clockwise from the end of the side.
         [[nodiscard]] auto leaving_middle(const corner_type& c) const
         {
             return std::pair(assoc_(c, F).corner(1), middle_side(c));
@@ -183,8 +184,8 @@ private:
             assoc_(a, F) = polygon(first(a), middle(a) >> assoc_(c, E).left(), along(c));
             assoc_(b, F) = polygon(second(a), along(b), assoc_(c.v(), V) >> assoc_(c, E).right());
         }
-        /// Of a pair that is red what lies in one of its triangles, and of what lies in both the part that is the left
-        /// one's.
+        /// Makes the new faces in one triangle of a red pair. The left triangle also makes the new faces that lie in
+        /// both.
         void make_red_half() const
         {
             const auto inner = inner_corner();
@@ -233,8 +234,8 @@ private:
             return has([this](const auto& c) { return cut(c); });
         }
 
-        /// The line from a corner along its side, which is kept, and where the side is cut along its first and second
-        /// half.
+        /// Returns the line from a corner along its kept side. `first` and `second` return the lines along the halves
+        /// of a cut side.
         [[nodiscard]] auto along(const corner_type& c) const { return assoc_(c.v(), V) >> kept(c); }
         [[nodiscard]] auto first(const corner_type& c) const { return assoc_(c.v(), V) >> start(c); }
         [[nodiscard]] auto second(const corner_type& c) const { return assoc_(c.next_edge(), V) >> end(c); }

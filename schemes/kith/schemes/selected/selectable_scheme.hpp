@@ -19,13 +19,13 @@ inline constexpr bool splits_triangles = std::same_as<columns_type<Scheme>, decl
 template <class Scheme>
 inline constexpr bool splits_into_quads = std::same_as<columns_type<Scheme>, decltype(quad_split::columns())>;
 
-/// Masks that reach beyond the faces at an element have negative weights, as Butterfly's, which magnify the steps in
-/// size between green faces from level to level: angles would shrink without end.
+/// Returns true if the masks reach beyond the faces at an element. Such masks have negative weights, as Butterfly's do.
+/// They magnify the steps in size between green faces from level to level: angles would shrink without end.
 template <scheme Scheme>
 [[nodiscard]] bool is_wide()
 {
     if constexpr (reaching_scheme<Scheme> and std::default_initializable<Scheme>)
-        return reach_of(Scheme(), 1) > 1; // its creases aside
+        return reach_of(Scheme(), 1) > 1; // without its creases
     else
         return false;
 }
@@ -43,9 +43,9 @@ inline constexpr auto name_of_selected = letters_of_selected<Scheme>();
 
 } // namespace detail
 
-/// A scheme of which some faces may be refined alone, `selected`: it splits triangles in four (loop, butterfly,
-/// linear_triangles) or polygons of any kind into quads (catmull_clark, linear), or is one of the user's own with the
-/// columns of such a split.
+/// Requirements of a scheme that can refine some faces of a level alone, by `selected`. It splits triangles in four
+/// (loop, butterfly, linear_triangles) or polygons of any kind into quads (catmull_clark, linear). A user's own scheme
+/// needs the columns of such a split.
 template <class S>
 concept selectable_scheme = scheme<S> and
                             ((detail::splits_triangles<S> and needs_triangles<S>) or

@@ -8,37 +8,38 @@
 
 namespace kith {
 
-/// The 4-8 bisection of a tri-quad mesh: triangles that each mark one edge, both triangles of an inner marked edge
-/// marking it. Every marked edge gives birth to a vertex and is bisected; the edges that were unmarked are the marked
-/// ones of the next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no
-/// room and is handed on by the order of the corners alone. Velho & Zorin 2001, section 3.
+/// The 4-8 bisection of a tri-quad mesh. Its triangles each mark one edge, and both triangles of an inner marked edge
+/// mark it. Every marked edge gives birth to a vertex and is bisected; the unmarked edges are the marked edges of the
+/// next level. The marked edge of a triangle is its first one, on every mesh type. So the mark needs no memory and is
+/// passed on by the order of the corners alone. Velho & Zorin 2001, section 3.
 struct bisection_split {
-    /// Whether the marked edge of its triangle leaves from this corner.
+    /// Returns true if the half-edge from this corner is the marked edge of its triangle.
     template <corner_element Corner>
     static bool is_first(const Corner& c)
     {
         return c == c.f().first_corner();
     }
-    /// Whether the triangles at the edge mark it; that on its left tells.
+    /// Returns true if the triangles at the edge mark it; the one on its left tells.
     template <edge_element Edge>
     static bool is_marked(const Edge& e)
     {
         return is_first(e.lcorner());
     }
 
-    /// The two triangles at a marked edge are a pair, a quad; of a corner whose half-edge is a side of one, that of the
-    /// next side. Precondition: the marked edge of c's triangle does not lie at the boundary.
+    /// Returns the corner of the next side of a pair, for a corner whose half-edge is a side of it. The two triangles
+    /// at a marked edge are a pair, a quad. Precondition: the marked edge of c's triangle does not lie at the boundary.
     template <corner_element Corner>
     static Corner next_in_pair(const Corner& c)
     {
         return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
     }
 
-    /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that
-    /// of the n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these what is
-    /// picked is numbered without the mesh. `marked(counts, generation)`: m of a whole level.
+    /// The numbering of the tuples that a column picks, without the mesh. `before(n, m)` is the number of picked tuples
+    /// before the n-th one, with m marked edges before that of the n-th. `picked(r, m)` is the r-th picked tuple, if m
+    /// marked edges come first. `marked(counts, generation)` is m for a whole level.
     struct of_marks {
-        /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
+        /// Returns the number of marked edges. Boundary edges are marked in odd generations, as `tri_quad` makes and
+        /// numbers them.
         static constexpr std::uint64_t marked(const counts& c, int generation)
         {
             return (c.faces + (generation % 2 != 0 ? c.boundary_edges : 0)) / 2;
@@ -86,14 +87,14 @@ struct bisection_split {
                              new_faces(triangles(per_corner).only(corner_at_marked_edge{})));
     }
 
-    /// Whether a triangle and the one behind its marked edge agree on it.
+    /// Returns true if a triangle and the one across its marked edge agree on this edge.
     template <face_element Face>
     static bool agrees_on_mark(const Face& f)
     {
         const auto c = f.first_corner();
         return c.is_boundary() or is_first(c.across());
     }
-    /// Whether the triangles agree on their marked edges. Cost: O(faces).
+    /// Returns true if all triangles agree on their marked edges. Cost: O(faces).
     template <level Level>
     static bool has_marks(const Level& coarse)
     {
@@ -102,7 +103,7 @@ struct bisection_split {
                 return false;
         return true;
     }
-    /// Errors: mesh_error unless they do. Cost: as above.
+    /// Throws mesh_error unless all triangles agree on their marked edges. Cost: O(faces).
     template <level Level>
     static void require_marks(const Level& coarse)
     {

@@ -15,19 +15,20 @@
 
 namespace kith::detail {
 
-/// Chooses diagonals for quads so that no two edges join the same two vertices. Each pair of opposite corners is a
-/// place that at most one quad may take, none if an edge has it; a quad needs one of its two places. As a graph whose
-/// nodes are places and whose edges are quads: each edge is directed to one of its ends, each node is reached at most
-/// once, so that a component has to have as many nodes as edges or one more. Quads are asked in the order of
-/// their vertices and take the place with the smallest one if they may, so that nothing depends on the order of the
+/// A choice of diagonals for quads such that no two edges join the same two vertices. Each pair of opposite corners is
+/// a place that at most one quad may take, none if an edge has it; a quad needs one of its two places. This is a graph
+/// whose nodes are places and whose edges are quads. Each edge is directed to one of its ends, and each node is reached
+/// at most once. So a component must have as many nodes as edges or one more. Quads choose in the order of their
+/// vertices and take the place with the smallest one if they may. So the result does not depend on the order of the
 /// faces.
 class diagonal_choice {
 public:
-    /// `places[0]` and `places[1]` of a quad: its even and odd corners, if another quad wants them; else `own`.
+    /// A quad and its two places: `places[0]` of its even and `places[1]` of its odd corners. A place that no other
+    /// quad wants is `own`.
     struct quad {
         std::size_t face;
-        std::array<std::size_t, 4> vertices; ///< from the smallest on
-        int smallest;                        ///< the place that has the smallest vertex
+        std::array<std::size_t, 4> vertices; ///< beginning with the smallest one
+        int smallest;                        ///< the index of the place with the smallest vertex
         std::array<std::size_t, 2> places{own, own};
         int taken = -1;
     };
@@ -47,8 +48,8 @@ public:
                 at_place_[place].push_back(i);
     }
 
-    /// The quads with the place that each has taken. Errors: mesh_error for a quad that finds none. Cost: O(quads log
-    /// quads).
+    /// Returns the quads, each with the place that it has taken. Errors: mesh_error for a quad without a free place.
+    /// Cost: O(n log n) for n quads.
     [[nodiscard]] std::vector<quad> solve() &&
     {
         for (std::size_t place = 0; place < is_taken_.size(); ++place)
@@ -72,7 +73,7 @@ private:
         is_taken_[q.places[which]] = true;
         leave(q.places[which]);
     }
-    /// Those who wanted a place that is taken have to go to their other one.
+    /// Queues the quads that wanted a place which is now taken: they must take their other place.
     void leave(std::size_t place)
     {
         for (const std::size_t i : at_place_[place])
@@ -92,8 +93,8 @@ private:
             take(q, free);
         }
     }
-    /// In a component with as many quads as places every place is needed, so one that a single quad wants is taken by
-    /// it.
+    /// Takes places that only one quad wants, in components with as many quads as places. There every place is needed,
+    /// so that quad must take it.
     void take_leaves()
     {
         std::vector<std::size_t> parent(is_taken_.size());
@@ -153,14 +154,14 @@ private:
     std::vector<std::size_t> pushed_;
 };
 
-/// The places that another quad wants, too, or that an edge has.
+/// The places that several quads want, or that an edge has.
 class wanted_places {
 public:
     struct claim {
         std::size_t face, which, place;
     };
 
-    /// Cost: O(corners log valence).
+    /// Takes a level of quads. Cost: O(corners log valence).
     template <level Level>
     explicit wanted_places(const Level& level)
     {
@@ -177,22 +178,22 @@ public:
         std::ranges::sort(claims_, {}, [](const claim& x) { return std::pair(x.face, x.which); });
     }
 
-    /// Sorted by the face that wants a place.
+    /// Returns the claims, sorted by the face that wants a place.
     [[nodiscard]] const std::vector<claim>& claims() const { return claims_; }
-    /// Of each place whether an edge has it.
+    /// Returns a flag for each place, true if an edge has it.
     [[nodiscard]] const std::vector<bool>& is_taken() const { return is_taken_; }
 
 private:
     static constexpr std::size_t edge = diagonal_choice::own;
     struct other_end {
-        std::size_t vertex, corner; ///< where a diagonal from this corner, or an edge, which has none, leads
+        std::size_t vertex, corner; ///< the other end of the diagonal from this corner, or of an edge, which has none
         bool operator<(const other_end& other) const
         {
             return std::pair(vertex, corner) < std::pair(other.vertex, other.corner);
         }
     };
 
-    /// Of the edges and diagonals that lead to a vertex with a larger number.
+    /// Lists the edges and diagonals from v that lead to a vertex with a larger number.
     template <vertex_element Vertex>
     static void list_other_ends(const Vertex& v, std::vector<other_end>& ends)
     {
@@ -207,7 +208,7 @@ private:
             add(c.next().next().v().index(), c.index());
         std::sort(ends.begin(), ends.end());
     }
-    /// One place, with all that want it.
+    /// Adds one place, with all quads that want it.
     template <level Level>
     void add_place(const Level& level, std::span<const other_end> wanted)
     {
@@ -223,9 +224,9 @@ private:
     std::vector<bool> is_taken_;
 };
 
-/// For each face of a level of quads whether its diagonal joins its second and fourth corner rather than the first and
-/// third: the one with the smallest vertex, unless another edge joins the same two vertices.
-/// Errors: mesh_error if there is no choice without such edges. Cost: O(corners log valence).
+/// Returns a flag for each face of a level of quads: true if its diagonal joins its second and fourth corner rather
+/// than the first and third. The diagonal is that with the smallest vertex, unless another edge joins the same two
+/// vertices. Errors: mesh_error if there is no choice without such edges. Cost: O(corners log valence).
 template <level Level>
 std::vector<unsigned char> choose_diagonals(const Level& level)
 {

@@ -7,9 +7,9 @@
 
 namespace kith {
 
-/// The dual split: every corner gives birth to a vertex; every face, inner edge and inner vertex to a face. A boundary
-/// vertex with three or more faces gets a face, too, when `cap_boundary` is set: the new boundary is then the
-/// corner-cut polygon of the old one, two points per vertex. Used by Doo-Sabin and unified of even degree.
+/// The dual split: every corner gives birth to a vertex; every face, inner edge and inner vertex to a face. If
+/// `cap_boundary` is set, a boundary vertex with three or more faces gets a face, too. The new boundary is then the
+/// corner-cut polygon of the old one, two points per vertex. Doo-Sabin and unified of even degree use it.
 struct dual_split {
     bool cap_boundary = true;
 
@@ -32,7 +32,8 @@ struct dual_split {
     {
         connect(r, [cap = cap_boundary](const auto& v) { return cap and v.face_count() >= 3; });
     }
-    /// The same for columns that give other boundary vertices a face, those where `is_capped(v)`.
+    /// Connects the next level for columns that give other boundary vertices a face: those for which `is_capped(v)` is
+    /// true.
     template <step_context R, class IsCapped>
     static void connect(const R& r, const IsCapped& is_capped)
     {
@@ -42,7 +43,7 @@ struct dual_split {
         for_each_by_number(coarse.edges(), [&](auto e) {
             if (e.is_boundary())
                 return;
-            const auto xl = e.lcorner(); // of the edge x -> y with faces L and R
+            const auto xl = e.lcorner(); // corners of the edge x -> y with faces L and R
             const auto yr = e.rcorner();
             assoc(e, F) = polygon(assoc(xl.next(), V) >> assoc(e, xl.f(), E).right(),
                                   assoc(xl, V) >> assoc(xl.v(), e, E).left(),
@@ -75,7 +76,7 @@ private:
                     .boundary_vertices_of_one_face = one,
                     .boundary_vertices_of_many_faces = 2 * many,
                     .boundary_corners = one + 2 * (2 * (several - many) + 3 * many)};
-        // Every corner at the boundary stays there; all but the outer two of a fan have 3 faces.
+        // Every corner at the boundary stays there; all new vertices but the outer two of a fan have 3 faces.
         const auto corners_of_several = c.boundary_corners - one;
         return {.boundary_edges = c.boundary_edges + corners_of_several - several,
                 .boundary_vertices_of_one_face = one,

@@ -5,11 +5,11 @@
 
 namespace kith {
 
-/// The mid-edge split: every edge gives birth to a vertex, every face and every vertex to a face. At the boundary the
-/// face of a vertex is closed by an edge of its own; vertices with a single face there get none.
+/// The mid-edge split: every edge gives birth to a vertex, every face and every vertex to a face. At the boundary a new
+/// edge closes the face of a vertex; vertices with a single face there get none.
 struct mid_edge_split {
-    /// Counts are exact for one step and for closed meshes; for further steps at a boundary an upper bound, since they
-    /// take no account of runs of boundary vertices with a single face, which get no face of their own.
+    /// Returns the columns. Counts are exact for one step and for closed meshes. For further steps at a boundary they
+    /// are an upper bound: they ignore runs of boundary vertices with a single face, which get no face of their own.
     static constexpr auto columns()
     {
         const auto capped = [](const auto& v) { return v.face_count() >= 2; };
@@ -38,7 +38,7 @@ struct mid_edge_split {
                 assoc(v, F) = polygon(v.corners(), beside);
             else if (v.face_count() >= 2)
                 assoc(v, F) = polygon(v.edges(), [&](auto e) {
-                    const auto c = e.seen_from(); // of v, but for the last edge
+                    const auto c = e.seen_from(); // of v, except for the last edge
                     return c.v() == v ? beside(c) : assoc(e, V) >> assoc(v, E).left();
                 });
         });

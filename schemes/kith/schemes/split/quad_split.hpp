@@ -7,8 +7,8 @@
 
 namespace kith {
 
-/// The primal quad split: every vertex, edge and face gives birth to a vertex, every corner to a quad. Any polygons in,
-/// quads out. Used by Catmull-Clark, Kobbelt, the linear split and unified of odd degree.
+/// The primal quad split: every vertex, edge and face gives birth to a vertex, every corner to a quad. It takes any
+/// polygons and makes quads. Catmull-Clark, Kobbelt, the linear split and unified of odd degree use it.
 struct quad_split {
     static constexpr auto columns()
     {

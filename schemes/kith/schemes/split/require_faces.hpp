@@ -13,7 +13,7 @@ namespace kith {
 
 namespace detail {
 
-/// Throws mesh_error for a vertex between two faces only, by its number.
+/// Throws mesh_error for a vertex between two faces only, given by its number.
 [[noreturn, gnu::noinline, gnu::cold]] inline void refuse_two_faces(std::string_view scheme, std::size_t vertex,
                                                                     bool are_triangles)
 {
@@ -26,9 +26,9 @@ namespace detail {
 } // namespace detail
 
 /// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one
-/// of two corners there; between two triangles, which are back to back then, those that split triangles would make two
-/// edges with the same ends, at every level, which no list of faces can tell apart. No step makes such vertices where
-/// there are none, so looking at a mesh before the first is enough. Cost: O(vertices).
+/// of two corners there. If both faces are triangles, they are back to back. Schemes that split triangles would then
+/// make two edges with the same ends, at every level, which no list of faces can distinguish. No step makes such
+/// vertices if there are none, so it is enough to check a mesh before the first step. Cost: O(vertices).
 template <scheme Scheme, level Level>
 void require_three_faces(const Level& coarse)
 {
@@ -37,19 +37,19 @@ void require_three_faces(const Level& coarse)
         if (first.is_boundary() or before.is_boundary())
             return;
         const auto second = before.across();
-        if (not(first.across().next() == second)) // what lies clockwise and what lies counter-clockwise
+        if (not(first.across().next() == second)) // the neighbours in the fan, clockwise and counter-clockwise
             return;
         const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
         detail::refuse_two_faces(scheme_name<Scheme>(), number_in_mesh(coarse, v), triangles);
     });
 }
 
-/// The same as what a scheme says in its traits: `.require = three_faces_at_vertices`.
+/// The check of require_three_faces as a function for the traits of a scheme: `.require = three_faces_at_vertices`.
 inline constexpr auto three_faces_at_vertices = []<scheme Scheme>(const Scheme&, const auto& level, int) {
     require_three_faces<Scheme>(level);
 };
 
-/// All faces at a vertex are quads.
+/// Returns true if all faces at a vertex are quads.
 template <vertex_element Vertex>
 bool has_quads_only(const Vertex& v)
 {

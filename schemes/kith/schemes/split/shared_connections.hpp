@@ -5,8 +5,8 @@
 
 namespace kith {
 
-/// What several splits connect alike: those that cut the edges at a vertex start the fan of the vertex that it gives
-/// birth to where its own fan starts, with the new edge of that end, in the face of that corner.
+/// Starts the fans of the vertices that old vertices give birth to, for splits that cut the edges at a vertex. The new
+/// fan starts where the old one does: with the new edge of that end, in the face of that corner.
 template <step_context R>
 void start_fans_along_ends(const R& r)
 {
@@ -19,8 +19,8 @@ void start_fans_along_ends(const R& r)
     });
 }
 
-/// Those that make a vertex of each corner make a face inside each face, between these, and a new edge of each of its
-/// sides.
+/// Makes a face inside each face, for splits that make a vertex of each corner. It joins the new vertices of the
+/// corners by a new edge for each side.
 template <step_context R>
 void make_faces_inside(const R& r)
 {

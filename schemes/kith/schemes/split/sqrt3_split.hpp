@@ -7,10 +7,10 @@
 
 namespace kith {
 
-/// The sqrt(3) split of triangles: every vertex and face gives birth to a vertex, every half-edge x -> y to the
-/// triangle (x, centre of its right face, centre of its left face). Boundary edges are left alone in even steps and
-/// trisected in odd ones: then a boundary face has no centre, and the new point on its boundary edge near the corner
-/// that it shares with a half-edge stands for it. Kobbelt 2000, section 5.
+/// The sqrt(3) split of triangles: every vertex and face gives birth to a vertex, every half-edge to a triangle.
+/// Half-edge x -> y makes (x, centre of its right face, centre of its left face). Boundary edges are left alone in even
+/// steps and trisected in odd ones. A boundary face then has no centre. The new point on its boundary edge near the
+/// corner that it shares with a half-edge replaces the centre. Kobbelt 2000, section 5.
 struct sqrt3_split {
     static constexpr bool is_odd(int generation) { return generation % 2 != 0; }
 
@@ -22,8 +22,8 @@ struct sqrt3_split {
             count += c.is_boundary();
         return count;
     }
-    /// The faces that odd steps cut. A face with more such edges is left uncut: `sqrt3` refuses meshes with one, but a
-    /// part of a mesh may have it where it ends.
+    /// Returns true for the faces that odd steps cut. A face with more boundary edges is left uncut: `sqrt3` refuses
+    /// meshes with such a face, but a part of a mesh may have it at its border.
     template <face_element Face>
     static bool has_one_boundary_edge(const Face& f)
     {
@@ -53,20 +53,20 @@ struct sqrt3_split {
         const auto& [coarse, assoc, generation] = r;
         const bool odd = is_odd(generation) and not coarse.is_closed();
 
-        // What half-edge c knows of its own side: the point that stands for its face, the edge from its first vertex to
-        // that point and the edge from its last vertex to it.
+        // The new elements on the side of half-edge c: the point that stands for its face, the edge from its first
+        // vertex to that point and the edge from its last vertex to it.
         const auto cut = [odd](auto c) { return odd and has_one_boundary_edge(c.f()); };
         const auto boundary_edge = [](auto c) { return c.prev().is_boundary() ? c.prev_edge() : c.next().next_edge(); };
         const auto centre = [&](auto c) {
             return cut(c) ? assoc(c.prev().is_boundary() ? c.v() : c.next().v(), boundary_edge(c), V).vertex()
                           : assoc(c.f(), V).vertex();
         };
-        const auto from_start = [&](auto c) { // runs in to the first vertex on the left of c
+        const auto from_start = [&](auto c) { // towards the first vertex, on the left of c
             if (not cut(c))
                 return assoc(c, E).right();
             return c.prev().is_boundary() ? assoc(c.v(), boundary_edge(c), E).left() : assoc(c, E).right();
         };
-        const auto to_end = [&](auto c) { // runs out from the last vertex
+        const auto to_end = [&](auto c) { // away from the last vertex
             if (not cut(c))
                 return assoc(c.next(), E).left();
             return c.prev().is_boundary() ? assoc(c, E).left() : assoc(c.next().v(), boundary_edge(c), E).left();

@@ -8,7 +8,7 @@
 namespace kith {
 
 /// The ternary quad split: every vertex, every end of an edge and every corner gives birth to a vertex; every face to a
-/// face of its own degree, every side of a face and every corner to a quad. Thesis 2.1.5. Used by Nasri-Hasbini.
+/// face of its own degree, every side of a face and every corner to a quad. Thesis 2.1.5. Nasri-Hasbini uses it.
 struct ternary_split {
     static constexpr auto columns()
     {

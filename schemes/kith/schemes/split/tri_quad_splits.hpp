@@ -10,9 +10,9 @@ namespace kith {
 
 namespace detail {
 
-/// Each quad in two triangles that mark the diagonal.
+/// The split of each quad into two triangles that mark the diagonal.
 struct diagonal_split {
-    const std::vector<unsigned char>* is_odd; ///< by face: it joins the second and the fourth corner
+    const std::vector<unsigned char>* is_odd; ///< by face: the diagonal joins the second and the fourth corner
 
     static constexpr auto traits() { return scheme_traits{.faces = face_shape::quads}; }
     [[nodiscard]] auto columns() const
@@ -37,7 +37,7 @@ struct diagonal_split {
                                          assoc(apex.v(), V) >> assoc(out, E).along(out));
             }
         });
-        for_each(coarse.vertices(), [&](auto v) { // its fan starts at the edge where it did
+        for_each(coarse.vertices(), [&](auto v) { // its fan starts at the same edge as before
             assoc(v, V) = v;
             const auto c = v.first_corner();
             const auto side = assoc(c.next_edge(), E).along(c.next_edge());
@@ -56,7 +56,7 @@ private:
     }
 };
 
-/// Each face in triangles around its centroid that mark the edges of the face.
+/// The split of each face into triangles around its centroid that mark the edges of the face.
 struct centroid_split {
     static constexpr auto columns()
     {
@@ -68,7 +68,7 @@ struct centroid_split {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.vertices(), [&](auto v) { // its fan starts at the edge where it did
+        for_each(coarse.vertices(), [&](auto v) { // its fan starts at the same edge as before
             assoc(v, V) = v;
             const auto c = v.first_corner();
             const auto e = c.next_edge();

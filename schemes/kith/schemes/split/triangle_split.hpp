@@ -8,7 +8,7 @@
 namespace kith {
 
 /// The primal triangle split: every vertex and edge gives birth to a vertex, every corner to a triangle, every face to
-/// the triangle in its middle. Used by Loop, Butterfly and the linear split of triangles.
+/// the triangle in its middle. Loop, Butterfly and the linear split of triangles use it.
 struct triangle_split {
     static constexpr auto columns()
     {

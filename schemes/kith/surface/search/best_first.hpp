@@ -15,7 +15,7 @@
 
 namespace kith::detail {
 
-/// Runs body(parts) on threads for so many searches, as `for_shared_parts` does.
+/// Runs body(parts) on threads for `count` searches, as `for_shared_parts` does.
 template <class Body>
 void for_searches(std::size_t count, const Body& body)
 {
@@ -23,18 +23,18 @@ void for_searches(std::size_t count, const Body& body)
     for_shared_parts(count, searches_of_part, is_worth_threads(count * faces_as_much_work_as_a_search), body);
 }
 
-/// Best-first search (branch and bound) of the cells of a surface: takes the cell with the least bound, lets a query
-/// solve it, and else cuts it into parts. The order is the same on every run. A thread may use an object for one query
-/// after the other.
+/// A best-first search (branch and bound) of the cells of a surface. It takes the cell with the least bound and lets a
+/// query solve it; if the query cannot, the cell is cut into parts. The order is the same on every run. A thread may
+/// use an object for one query after the other.
 ///
-/// A query has a coordinate system of its own, and members:
+/// A query has a coordinate system of its own, and these members:
 ///   to_local(point)          the coordinates of a point
-///   bound_of(points)         no answer in the convex hull of these points is better
-///   limit()                  answers beyond it are of no use; it falls as answers are found
-///   is_tiny(points)          their extent is of no importance
+///   bound_of(points)         a bound: no answer in the convex hull of these points is better
+///   limit()                  answers beyond it are useless; it falls as answers are found
+///   is_tiny(points)          true if their extent does not matter
 ///   accept(points, place)    takes the place as an answer
 ///   solve(patch, place)      finds the best answer in a patch, or that there is none; else returns a bound of the
-///                            patch, which is to be cut
+///                            patch, which is then cut
 template <class Cells>
 class best_first {
     using vector = typename Cells::vector;

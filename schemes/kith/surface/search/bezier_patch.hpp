@@ -18,8 +18,9 @@ inline std::array<double, 3> vector_between(const std::array<double, 3>& from, c
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-/// A polynomial piece of a surface by its Bezier points, whose convex hull it lies in. It has this degree in s and in t
-/// over the unit square if it is a tensor product, or else this total degree over the triangle (0, 0), (1, 0), (0, 1).
+/// A polynomial piece of a surface, given by its Bezier points. It lies in the convex hull of these points. A tensor
+/// product has this degree in s and in t over the unit square. Otherwise this is the total degree over the triangle (0,
+/// 0), (1, 0), (0, 1).
 template <bool IsTensor, std::size_t Degree>
 class bezier_patch {
 public:
@@ -27,7 +28,7 @@ public:
     static constexpr bool is_tensor = IsTensor;
     static constexpr std::size_t degree = Degree;
     static constexpr std::size_t size = IsTensor ? (degree + 1) * (degree + 1) : (degree + 1) * (degree + 2) / 2;
-    static constexpr std::size_t sides = IsTensor ? 2 : 3; ///< along which a patch can be halved
+    static constexpr std::size_t sides = IsTensor ? 2 : 3; ///< number of directions in which a patch can be halved
 
     /// A point of the patch, and derivatives.
     struct values {
@@ -49,7 +50,7 @@ public:
         });
     }
 
-    /// Returns the place of point (i, j) in the list.
+    /// Returns the index of point (i, j) in the list.
     static constexpr std::size_t place(std::size_t i, std::size_t j)
     {
         return IsTensor ? (degree + 1) * i + j : i * (2 * degree + 3 - i) / 2 + j;
@@ -80,7 +81,7 @@ public:
         }
         return result;
     }
-    /// Returns the side that is longest.
+    /// Returns the longest side.
     [[nodiscard]] std::size_t longest_side() const
     {
         std::array<double, sides> length{};
@@ -105,7 +106,7 @@ public:
         evaluate<0, 2>(s, t, result.tt);
         return result;
     }
-    /// Calls f with each Bezier point of a derivative, so often by s and so often by t.
+    /// Calls f with each Bezier point of the derivative of order S in s and T in t.
     template <std::size_t S, std::size_t T, class F>
     void for_each_point_of_derivative(const F& f) const
     {
@@ -113,7 +114,7 @@ public:
     }
 
 private:
-    /// Calls f(i, j) for the points of a derivative.
+    /// Calls f(i, j) for each point of this derivative.
     template <std::size_t S, std::size_t T, class F>
     static constexpr void for_each_index(const F& f)
     {
@@ -170,7 +171,7 @@ private:
         return result;
     }
 
-    /// Returns the place of point k on a line of points along a side.
+    /// Returns the index of point k on a line of points along a side.
     static constexpr std::size_t on_line(std::size_t side, std::size_t line, std::size_t k)
     {
         return side == 0 ? place(k, line) : side == 1 ? place(line, k) : place(degree - line - k, k);

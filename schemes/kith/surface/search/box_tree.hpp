@@ -14,7 +14,7 @@ namespace kith::detail {
 struct space_box {
     std::array<double, 3> least, most;
 
-    /// Returns the smallest box of some points. Precondition: there is one.
+    /// Returns the smallest box of some points. Precondition: there is at least one.
     static space_box of(std::span<const std::array<double, 3>> points)
     {
         space_box result{points[0], points[0]};
@@ -22,7 +22,7 @@ struct space_box {
             result.add({p, p});
         return result;
     }
-    /// Grows the box so that it has another one.
+    /// Grows the box so that it contains another one.
     void add(const space_box& more)
     {
         for (std::size_t x = 0; x < 3; ++x) {
@@ -41,18 +41,19 @@ struct space_box {
 };
 
 /// A binary tree of boxes (bounding volume hierarchy), halved along the longest extent of their middles. An R-tree of
-/// Boost.Geometry 1.74 would not do: it sorts all boxes it has met in each leaf when they are asked for one by one.
+/// Boost.Geometry 1.74 is no alternative: it sorts all boxes that it has met in each leaf when they are requested one
+/// by one.
 class box_tree {
 public:
     struct node {
         space_box box;
-        std::size_t item;      ///< of a leaf
+        std::size_t item;      ///< the number of the box in a leaf
         std::size_t first = 0; ///< the children, or 0 in a leaf
         std::size_t second = 0;
     };
 
     box_tree() = default;
-    /// Cost: O(boxes log boxes).
+    /// Takes the boxes of the leaves. Cost: O(boxes log boxes).
     explicit box_tree(std::span<const space_box> boxes)
     {
         std::vector<std::size_t> items(boxes.size());

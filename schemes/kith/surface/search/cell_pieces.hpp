@@ -21,7 +21,7 @@ struct cell_piece {
     parameters origin, along_s, along_t;
 };
 
-/// Returns true if all of a piece lies in the square or triangle that was cut: sub-faces may share a child.
+/// Returns true if a piece lies within the square or triangle that was cut: sub-faces may share a child.
 inline bool lies_within(const cell_piece& piece, bool is_quad)
 {
     constexpr double rounding = 1e-9;
@@ -34,7 +34,7 @@ inline bool lies_within(const cell_piece& piece, bool is_quad)
            (not is_quad or is_inside(add_multiple(at_s, 1, piece.along_t)));
 }
 
-/// Returns points in all pieces that a domain of this fineness cuts a square or a triangle into.
+/// Returns points in all pieces into which a domain of this fineness cuts a square or a triangle.
 inline std::vector<parameters> points_in_pieces(std::size_t fineness, bool is_quad)
 {
     const std::size_t segments = is_quad ? fineness : 2 * fineness;
@@ -49,8 +49,8 @@ inline std::vector<parameters> points_in_pieces(std::size_t fineness, bool is_qu
     return result;
 }
 
-/// Returns the pieces that cut(face_parameters&) cuts a square or a triangle into, which have these samples. `cut`
-/// returns the child_cell of a place and makes its parameters those in it.
+/// Returns the pieces into which cut(face_parameters&) cuts a square or a triangle; `samples` are points in all pieces.
+/// `cut` returns the child_cell of a place and replaces the parameters by those in the cell.
 template <class Cut>
 std::vector<cell_piece> pieces_of(std::span<const parameters> samples, const Cut& cut)
 {

@@ -30,7 +30,7 @@ inline constexpr auto corners_of_cell = [] {
 template <bool IsTensor>
 inline constexpr parameters middle_of_cell = IsTensor ? parameters{.5, .5} : parameters{1. / 3, 1. / 3};
 
-/// Returns the nearest parameters in a cell.
+/// Returns the parameters in a cell that are nearest to the given ones.
 template <bool IsTensor>
 parameters nearest_in_cell(const parameters& x)
 {
@@ -41,9 +41,9 @@ parameters nearest_in_cell(const parameters& x)
     return {s, 1 - s};
 }
 
-/// The part of a face of a control mesh that a cell of its surface lies over: the image of the unit square, or of the
-/// triangle (0, 0), (1, 0), (0, 1), under an affine map. The numbers are exact down to the 50th halving. Faces have so
-/// many sides; cells may be triangles in quads.
+/// The part of a face of a control mesh under a cell of its surface: the image of the unit square, or of the triangle
+/// (0, 0), (1, 0), (0, 1), under an affine map. The numbers are exact down to the 50th halving. Faces have `Sides`
+/// sides; cells may be triangles in quads.
 template <bool IsTensor, std::size_t Sides>
 struct cell_place {
     std::size_t face = 0, corner = 0;
@@ -70,7 +70,7 @@ struct cell_place {
                     with(add_multiple(origin, 1, half_t), add_multiple(along_s, taken, half_t), half_t)};
         return {with(origin, along_s, middle), with(origin, middle, along_t)};
     }
-    /// Returns the place of a part of the cell, by its affine map into the cell.
+    /// Returns the place of a part of the cell, given by its affine map into the cell.
     [[nodiscard]] cell_place within(const parameters& o, const parameters& s, const parameters& t) const
     {
         const auto direction = [&](const parameters& x) {

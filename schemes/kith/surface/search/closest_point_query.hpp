@@ -31,7 +31,7 @@ class closest_point_query {
     using values = typename Patch::values;
 
 public:
-    /// `radius` is that of the surface, `rounding` that of its points.
+    /// Takes the given point. `radius` is that of the surface, `rounding` that of its points.
     closest_point_query(const vector& point, double radius, double rounding)
         : point_(point)
         , rounding_(rounding + 1e-15 * std::max({std::abs(point[0]), std::abs(point[1]), std::abs(point[2])}))
@@ -122,7 +122,7 @@ private:
         patch.template for_each_point_of_derivative<0, 2>(radius(middle.tt, r_tt));
         for (double* x : {&r, &r_s, &r_t, &r_ss, &r_st, &r_tt})
             *x = std::sqrt(*x);
-        // How far products of vectors are from those in the middle.
+        // The largest distance of products of vectors from those in the middle.
         const auto off = [](const vector& a, double r_a, const vector& b, double r_b) {
             return length_of(a) * r_b + length_of(b) * r_a + r_a * r_b;
         };
@@ -138,7 +138,7 @@ private:
     void minimise(const Patch& patch, const Place& place, values here)
     {
         constexpr int most_steps = 60;
-        constexpr double small_step = 1e-9; // after which the next one is below rounding
+        constexpr double small_step = 1e-9; // after this step the next one is below rounding
         parameters at = middle_of_cell<Patch::is_tensor>;
         double square = dot(here.point, here.point);
         for (int step = 0; step < most_steps; ++step) {
@@ -161,7 +161,8 @@ private:
         }
         answer(square, place.at(at));
     }
-    /// Returns where in the cell the quadratic polynomial that agrees with f up to second derivatives is least.
+    /// Returns the place in the cell at which the quadratic polynomial that agrees with f up to second derivatives is
+    /// least.
     static parameters minimum_of_model(const parameters& at, const values& here)
     {
         const auto [ss, st, tt] = second_derivatives(here);
@@ -193,7 +194,7 @@ private:
         return best;
     }
 
-    /// Notes that there is a point at this distance.
+    /// Lowers the limit to this distance, at which there is a point.
     void limit_to(double square)
     {
         const double distance = std::sqrt(square) + rounding_;

@@ -31,8 +31,8 @@ class ray_query {
     using values = typename Patch::values;
 
 public:
-    /// The ray begins at `from` and leads along `direction`, which has length one, at most so far. `middle` and
-    /// `radius` are those of the surface, `rounding` that of its points.
+    /// Takes a ray that begins at `from` and leads along `direction`, which has length one, up to the length
+    /// `furthest`. `middle` and `radius` are those of the surface, `rounding` that of its points.
     ray_query(const vector& from, const vector& direction, double furthest, const vector& middle, double radius,
               double rounding)
         : along_(direction), rounding_(rounding), tiny_(std::max(1e-13 * radius, 8 * rounding))
@@ -43,7 +43,7 @@ public:
             base_[i] = from[i] + ahead_ * direction[i];
         begin_ = std::max(-ahead_, -radius);
         limit_ = std::min(furthest - ahead_, radius);
-        // A vector across the ray, by the axis that it leaves most.
+        // A vector across the ray, made from the axis that is furthest from its direction.
         const std::size_t axis = std::size_t(
             std::ranges::min_element(direction, {}, [](double x) { return std::abs(x); }) - direction.begin());
         for (std::size_t i = 0; i < 3; ++i)
@@ -56,7 +56,7 @@ public:
                                  along_[(i + 2) % 3] * across_[(i + 1) % 3];
     }
 
-    /// Returns the place that has been found, if there is one.
+    /// Returns the place that has been found, if any.
     [[nodiscard]] const std::optional<surface_place>& place() const { return place_; }
     /// Returns the distance of that place from the begin of the ray.
     [[nodiscard]] double distance() const { return std::max(ahead_ + limit_, 0.); }
@@ -123,8 +123,8 @@ private:
         vector s, t;
         double determinant;
     };
-    /// Returns true if derivatives in the patch differ from those in the middle by a quarter at most, so that Newton's
-    /// method converges to the only place there is.
+    /// Returns true if the derivatives in the patch differ from those in the middle by a quarter at most. Newton's
+    /// method then converges to the only place of a hit.
     static bool is_nearly_linear(const Patch& patch, const values& middle)
     {
         const inverse by_middle(middle);
@@ -146,7 +146,7 @@ private:
     void find_place(const Patch& patch, const Place& place, values here)
     {
         constexpr int most_steps = 60;
-        constexpr double small_step = 1e-9; // after which the next one is below rounding
+        constexpr double small_step = 1e-9; // after this step the next one is below rounding
         parameters at = middle_of_cell<Patch::is_tensor>;
         for (int step = 0; step < most_steps; ++step) {
             const parameters next = nearest_in_cell<Patch::is_tensor>(

@@ -40,7 +40,8 @@ public:
     struct cell;
     using cell_list = std::vector<cell>;
 
-    /// Children that are made when they are asked for first. Threads that make them at the same time make the same.
+    /// The children of a cell, which are made at the first access. Threads that make them at the same time make the
+    /// same ones.
     class kept_children {
     public:
         kept_children() = default;
@@ -72,8 +73,8 @@ public:
         std::unique_ptr<kept_children> children{};
     };
 
-    /// Errors: those of `surface_locator`; mesh_error where control points do not bound the surface.
-    /// Cost: O(corners), and for each kind of irregular face that of a step.
+    /// Takes a mesh and its scheme. Errors: those of `surface_locator`; mesh_error if control points do not bound the
+    /// surface. Cost: O(corners), and for each kind of irregular face that of a step.
     template <class Point>
     surface_cells(const basic_mesh<Point, Index>& mesh, const Scheme& scheme) : surface_(mesh, scheme)
     {
@@ -111,17 +112,17 @@ public:
         return surface_.locate(places).evaluate(std::span<const vector>(control_)).points;
     }
     [[nodiscard]] bool empty() const { return cells_.empty(); }
-    /// Returns the middle of a ball that has the surface.
+    /// Returns the middle of a ball that contains the surface.
     [[nodiscard]] const vector& middle() const { return middle_; }
     [[nodiscard]] double radius() const { return radius_; }
-    /// Returns a bound of what rounding does to points of cells.
+    /// Returns a bound of the rounding errors of points of cells.
     [[nodiscard]] double rounding() const { return rounding_; }
 
-    /// Returns the tree of the boxes of the cells of faces, whose items are their numbers.
+    /// Returns the tree of the boxes of the root cells of faces; its items are their numbers.
     [[nodiscard]] const box_tree& tree() const { return tree_; }
     [[nodiscard]] const cell& root(std::size_t number) const { return cells_[number]; }
-    /// Returns the children of a cell that is no polynomial. Those that the cell does not keep are added to `made`.
-    /// Errors: mesh_error where control points do not bound the surface. Cost: O(control points) for each child.
+    /// Returns the children of a cell that is no polynomial. Children that the cell does not keep are added to `made`.
+    /// Errors: mesh_error if control points do not bound the surface. Cost: O(control points) for each child.
     [[nodiscard]] const cell_list& children_of(const cell& parent, std::deque<cell_list>& made) const
     {
         if (parent.children)
@@ -198,7 +199,7 @@ private:
         return result;
     }
 
-    /// Makes the tree of the cells of faces.
+    /// Makes the tree of the root cells of faces.
     void make_tree()
     {
         std::vector<space_box> boxes;
@@ -221,7 +222,7 @@ private:
     std::vector<parameters> samples_of_face_ = points_in_pieces(domain::fineness, domain::sides == 4),
                             samples_of_cell_ = points_in_pieces(domain::fineness, domain::is_tensor);
     std::vector<vector> control_;
-    std::vector<cell> cells_; // of the faces
+    std::vector<cell> cells_; // root cells of the faces
     box_tree tree_;
     vector middle_{};
     double radius_ = 0, rounding_ = 0;

@@ -13,10 +13,11 @@
 
 namespace kith::detail {
 
-/// Each triangle is halved at its first edge. Two steps halve all edges, and split the quads that pairs of triangles
-/// make into four. A face has the children of two steps. So the rings are those of these quads: two rings around a
-/// quad make two around each child, while single steps leave some edges whole and would need more rings each time.
-/// The box spline has other polynomials on both sides of the diagonals of these quads: cells are the halves of a face.
+/// The domain of the 4-8 bisection. Each triangle is halved at its first edge. Two steps halve all edges, and split the
+/// quads that pairs of triangles make into four. A face has the children of two steps. So the rings are those of these
+/// quads: two rings around a quad make two around each child. Single steps leave some edges whole and would need more
+/// rings each time. The box spline has different polynomials on both sides of the diagonals of these quads: cells are
+/// the halves of a face.
 template <>
 struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
     static constexpr bool keeps_first_corners = true;
@@ -24,9 +25,9 @@ struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
     static constexpr int steps_at_once = 2;
-    static constexpr int rings = 5; // of triangles, which have two rings of quads
+    static constexpr int rings = 5; // of triangles, which contain two rings of quads
 
-    static constexpr std::size_t degree = 6; ///< of the splines that are looked for
+    static constexpr std::size_t degree = 6; ///< of the splines that are searched for
     /// Returns the faces of two rings of quads.
     template <class Cutter, std::unsigned_integral Index>
     static std::vector<Index> faces_around(Cutter& cutter, const connectivity<Index>& mesh, Index face, int)
@@ -48,7 +49,7 @@ struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
         return at == corners[1] ? 2 * cell : sides;
     }
     static std::size_t children(const domain_face&) { return 2; }
-    /// Children are those at the ends of the first edge.
+    /// Returns the number of child k: children are the faces at the ends of the first edge.
     template <std::unsigned_integral Index, class Ids>
     static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
@@ -61,7 +62,7 @@ struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
     }
 
 private:
-    /// Returns the half that a place lies in, and makes its parameters those of the half.
+    /// Returns the half in which a place lies, and replaces its parameters by those of the half.
     static std::size_t halve(face_parameters& at)
     {
         const double s = at.s, t = at.t, from_middle = 2 * s + t - 1;

@@ -19,18 +19,18 @@
 namespace kith::detail {
 
 /// A part of a mesh around a face, with numbers that do not depend on those in the mesh. Faces have the order in which
-/// a walk from face 0 meets them. Each begins at the corner at which the walk enters it, or keeps its first corner.
+/// a walk from face 0 reaches them. Each begins at the corner at which the walk enters it, or keeps its first corner.
 /// Vertices and edges have the order of their corners.
 template <std::unsigned_integral Index, scheme Scheme>
 struct canonical_part {
     connectivity<Index> mesh;
     Scheme scheme;                  ///< with the state of the part
     std::vector<Index> corner_from; ///< for each corner its number before
-    std::u32string key{};           ///< the same for the same parts; empty if the part keeps the numbers that it had
-    Index face = 0;                 ///< around which the part lies
+    std::u32string key{};           ///< equal for equal parts; empty if the part keeps the numbers that it had
+    Index face = 0;                 ///< the face around which the part lies
 };
 
-/// Makes the canonical numbers of a part. Faces may keep their first corners.
+/// The canonical numbers of a part. Faces may keep their first corners.
 template <std::unsigned_integral Index>
 class canonical_numbers {
     static constexpr Index none = connectivity<Index>::none;
@@ -56,9 +56,9 @@ public:
             });
     }
 
-    /// Returns false if the part is not connected by edges: then it has no such numbers.
+    /// Returns false if the part is not connected by edges: then it has no canonical numbers.
     [[nodiscard]] bool has_all() const { return entries_.size() == part_.faces; }
-    /// Returns for each corner of the part in its new order the number before.
+    /// Returns for each corner of the part, in the new order, its number before.
     [[nodiscard]] std::vector<Index> corner_from() const
     {
         std::vector<Index> result;
@@ -67,7 +67,7 @@ public:
         return result;
     }
 
-    /// Returns the part in these numbers, and adds it to a key.
+    /// Returns the part in these numbers, and appends a description of it to a key.
     [[nodiscard]] connectivity<Index> connect(std::u32string& key) const
     {
         std::vector<std::size_t> degrees;
@@ -98,7 +98,7 @@ public:
         }
         return result;
     }
-    /// Calls f with the numbers of the elements of the part among the new ones.
+    /// Calls f with the new numbers of the elements of the part.
     template <class F>
     void with_part_numbers(const F& f) const
     {
@@ -144,15 +144,14 @@ private:
     std::vector<Index> vertex_from_, edge_from_;
 };
 
-/// States that say where they are and can be given other numbers.
+/// Requirements of a state that lists its elements and can be given other numbers.
 template <class State>
 concept renumbered_state = sparse_state<State> and requires(State& state, const part_numbers<std::uint32_t>& part) {
     state.add_part(std::as_const(state), part);
 };
 
-/// Returns a part in canonical numbers. First corners of faces are kept where these have a meaning. Parts keep their
-/// numbers if they have state that cannot be given others.
-/// Cost: O(elements of the part).
+/// Returns a part in canonical numbers. First corners of faces are kept if these have a meaning. A part keeps its
+/// numbers if it has state that cannot be given others. Cost: O(elements of the part).
 template <std::unsigned_integral Index, scheme Scheme>
 canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, int generation, const Scheme& scheme,
                                              Index face, bool keeps_first_corners)
@@ -167,7 +166,7 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, in
         const canonical_numbers<Index> numbers(part, face, keeps_first_corners);
         bool can_be_renumbered = numbers.has_all();
         std::u32string key;
-        if constexpr (requires { scheme.columns(generation); }) // of which there are two kinds
+        if constexpr (requires { scheme.columns(generation); }) // which differ in even and odd generations
             key += char32_t(generation % 2);
         Scheme renumbered = without_state(scheme);
         for_each_state(renumbered, scheme, [&](auto& to, const auto& from) {
@@ -195,7 +194,7 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, in
     return as_it_is();
 }
 
-/// Returns for each corner the first one at its vertex that is_alike(first, corner).
+/// Returns for each corner the first corner at its vertex for which is_alike(first, corner) is true.
 template <std::unsigned_integral Index, class IsAlike>
 std::vector<Index> first_alike(const connectivity<Index>& mesh, const IsAlike& is_alike)
 {

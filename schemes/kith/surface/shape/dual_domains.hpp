@@ -14,10 +14,10 @@
 
 namespace kith::detail {
 
-/// Parameters of splits that make faces of vertices. The limits of vertices of the control mesh lie inside their faces:
-/// the corners of parameters are the centres of the faces that vertices become. All faces consist of sub-faces, also
-/// quads, whose own parameters are those of their four quarters. At a boundary steps make no faces of edges, nor of
-/// some vertices, so that parts of faces have no surface. The boundary lies inside of faces, too.
+/// The parameters of splits that make faces of vertices. The limits of vertices of the control mesh lie inside their
+/// faces: the corners of parameters are the centres of the faces that vertices become. All faces consist of sub-faces,
+/// also quads; the parameters of a quad are those of its four quarters. At a boundary steps make no faces of edges, nor
+/// of some vertices, so parts of faces have no surface. The boundary of the surface lies inside faces, too.
 struct domain_of_dual_faces : domain_of_rings {
     static constexpr std::size_t sides = 4;
     static constexpr std::size_t fineness = 2;
@@ -25,11 +25,11 @@ struct domain_of_dual_faces : domain_of_rings {
     static constexpr bool has_polynomials_at_boundaries = false;
     static constexpr auto corners = domain_of_quads::corners;
 
-    static constexpr std::size_t degree = 2; ///< of the splines that are looked for
+    static constexpr std::size_t degree = 2; ///< of the splines that are searched for
     static bool has_vertices_at_corners(const domain_face&) { return false; }
 
-    /// Returns the sub-face that a place lies in, and makes its parameters those of the sub-face. Between two sub-faces
-    /// that is the one further from walls, which has a surface.
+    /// Returns the sub-face in which a place lies, and replaces its parameters by those of the sub-face. A place
+    /// between two sub-faces belongs to the one further from walls, which has a surface.
     static std::size_t enter_sub_face(const domain_face& face, std::size_t corner, face_parameters& at)
     {
         if (face.degree != sides)
@@ -42,7 +42,7 @@ struct domain_of_dual_faces : domain_of_rings {
     }
 };
 
-/// Children are the faces of the vertices, of the edges after them, and of the face.
+/// The domain of the dual split. Children are the faces of the vertices, of the edges after them, and of the face.
 template <>
 struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
     static constexpr bool is_tensor = true;
@@ -67,7 +67,7 @@ struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
                : k < 2 * n ? ids.faces.template id<tuple_kind::e>(mesh.corner_halfedge[first + k - n] / 2)
                            : ids.faces.template id<tuple_kind::f>(face.number);
     }
-    /// Returns the vertex of child k from which its sub-faces are counted: that of a corner.
+    /// Returns the vertex of child k from which its sub-faces are counted: the vertex that a corner gives birth to.
     template <std::unsigned_integral Index, class Ids>
     static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face,
                                        std::size_t k)
@@ -100,15 +100,16 @@ struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
     }
 };
 
-/// Children are the faces of the vertices and that of the face. A sub-face has two cells, triangles on both sides of
-/// its diagonal from the corner to the centre. (0, 0) of a cell is the corner, (1, 0) the middle of the edge, and
-/// (0, 1) the centre. The edge is that after the corner in the first cell, and that before it in the second.
+/// The domain of the mid-edge split. Children are the faces of the vertices and that of the face. A sub-face has two
+/// cells, triangles on both sides of its diagonal from the corner to the centre. (0, 0) of a cell is the corner, (1, 0)
+/// the middle of the edge, and (0, 1) the centre. The edge is that after the corner in the first cell, and that before
+/// it in the second.
 template <>
 struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     static constexpr bool is_tensor = false;
     static constexpr int steps = 54;
-    static constexpr int most_steps = 260; // two are one of the dual split
-    static constexpr int rings = 2;        // as many around a child follow from two around a face
+    static constexpr int most_steps = 260; // two steps are one of the dual split
+    static constexpr int rings = 2;        // two rings around a face contain two around each child
 
     static std::size_t corner_at(const domain_face&, std::size_t, const std::array<double, 2>& at)
     {
@@ -133,7 +134,7 @@ struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
         return k < n ? ids.faces.template id<tuple_kind::v>(mesh.corner_vertex[first + k])
                      : ids.faces.template id<tuple_kind::f>(face.number);
     }
-    /// Returns the vertex of child k from which its sub-faces are counted: that of an edge.
+    /// Returns the vertex of child k from which its sub-faces are counted: the vertex that an edge gives birth to.
     template <std::unsigned_integral Index, class Ids>
     static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face,
                                        std::size_t k)
@@ -159,7 +160,7 @@ struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     }
 };
 
-/// Odd degrees have the quad split, even ones the dual split.
+/// The domain of unified: odd degrees have the quad split, even ones the dual split.
 template <>
 struct face_domain<decltype(unified{}.columns())> : domain_of_rings {
     using primal = face_domain<decltype(quad_split::columns())>;
@@ -168,13 +169,13 @@ struct face_domain<decltype(unified{}.columns())> : domain_of_rings {
     static constexpr bool is_tensor = true;
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
-    static constexpr bool is_cut_off_by_boundaries = false; // which closed meshes do not have
+    static constexpr bool is_cut_off_by_boundaries = false; // closed meshes have none
     static constexpr bool has_polynomials_at_boundaries = true;
     static constexpr auto corners = domain_of_quads::corners;
 
     static constexpr std::size_t degree = 5; ///< polynomials of higher degrees drown in rounding errors
 
-    /// Errors: mesh_error for a higher degree.
+    /// Returns the degree of a scheme. Errors: mesh_error for a higher degree.
     static std::size_t degree_of(const unified& scheme)
     {
         if (scheme.degree > int(degree))

@@ -21,21 +21,21 @@
 
 namespace kith::detail {
 
-/// A cell of a child face. Cells are the parts of a face with parameters of their own: the face itself, or a sub-face
-/// per corner.
+/// A cell of a child face. The cells of a face are its parts with parameters of their own: the face itself, or a
+/// sub-face per corner.
 struct child_cell {
     std::size_t child, cell;
 };
-/// The facts about a face by which a step cuts its parameters.
+/// The facts about a face that determine how a step cuts its parameters.
 struct domain_face {
     std::size_t number; ///< of the face in its mesh
     std::size_t degree;
-    std::array<bool, 4> is_wall{}; ///< the first four sides, if they lie at the boundary
-    bool is_odd = false;           ///< the generation of the mesh
-    bool is_dual = false;          ///< a scheme of both kinds makes faces of vertices
+    std::array<bool, 4> is_wall{}; ///< of the first four sides, true if they lie at the boundary
+    bool is_odd = false;           ///< of the generation of the mesh
+    bool is_dual = false;          ///< true if a scheme of both kinds makes faces of vertices
 };
 
-/// Returns these facts about a face.
+/// Returns the domain_face of a face.
 template <std::unsigned_integral Index, class Scheme>
 domain_face look_at(const connectivity<Index>& mesh, const Scheme& scheme, int generation, std::size_t face)
 {
@@ -53,10 +53,10 @@ struct domain_of_rings {
     static constexpr bool splits_in_four = false;
     static constexpr bool keeps_first_corners = false;
     static constexpr int steps_at_once = 1;
-    static constexpr int rings = 0; // those of the scheme
+    static constexpr int rings = 0; // 0 for the rings of the scheme
     static constexpr int most_steps = 100;
 
-    /// Returns the faces within so many rings of a face.
+    /// Returns the faces within `ring_count` rings of a face.
     template <class Cutter, std::unsigned_integral Index>
     static std::vector<Index> faces_around(Cutter& cutter, const connectivity<Index>&, Index face, int ring_count)
     {
@@ -87,7 +87,7 @@ struct domain_at_vertices : domain_of_rings {
     {
         return std::size_t(std::ranges::find(corners_of_faces<Sides>, at) - corners_of_faces<Sides>.begin());
     }
-    /// Children begin where their sub-faces are counted from.
+    /// Returns -1: children begin at the corner from which their sub-faces are counted.
     template <class... Parts>
     static std::size_t vertex_of_child(const Parts&...)
     {
@@ -96,36 +96,36 @@ struct domain_at_vertices : domain_of_rings {
     static std::size_t cell_of_child(const domain_face&, std::size_t, std::size_t cell) { return cell; }
 };
 
-/// Parameters of quads under splits that leave them quads. All other polygons consist of sub-faces.
+/// The parameters of quads under splits that keep them quads. All other polygons consist of sub-faces.
 struct domain_of_quads : domain_at_vertices<4> {
     static constexpr bool is_tensor = true;
     static constexpr auto corners = corners_of_faces<4>;
 
-    static constexpr std::size_t degree = 3; ///< of the splines that are looked for
+    static constexpr std::size_t degree = 3; ///< of the splines that are searched for
     /// Turns the parameters of a quad a quarter: corner 1 becomes the origin.
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, 1 - at.s, -1, 0); }
 };
 
-/// Cuts the parameters of faces as a split does. A specialization has
+/// The rules by which a split cuts the parameters of faces. Members of a specialization:
 ///
 ///   sides, corners                            of a face with parameters of its own
 ///   cells(face)                               the number of cells of a domain_face
-///   enter(face, corner, parameters)           the cell of a place; makes its parameters those in the cell
+///   enter(face, corner, parameters)           the cell of a place; replaces its parameters by those in the cell
 ///   corner_at(face, cell, parameters)         the corner of the face at a corner of a cell; `sides` if there is none.
 ///                                             0 for the centre of the face if its corners are no vertices
-///   is_tensor, degree                         of the splines that are looked for in cells
-///   fineness                                  of a lattice of which all children have points
-///   steps                                     after which a net is small
-///   most_steps                                after which it is a point but for rounding
-///   rings                                     around a face that its surface follows from; 0 for those of the scheme
+///   is_tensor, degree                         of the splines that are searched for in cells
+///   fineness                                  of a lattice that has points in all children
+///   steps                                     number of steps after which a net is small
+///   most_steps                                number of steps after which it is a point, up to rounding
+///   rings                                     around a face that determine its surface; 0 for those of the scheme
 ///   faces_around(cutter, mesh, f, rings)      the faces within these rings
 ///   steps_at_once                             from a face to its children
 ///   children(face)                            the number of children after one step
 ///   child(mesh, ids, face, k)                 the number of child k after one step
 ///   vertex_of_child(mesh, ids, face, k)       its vertex from which cells are counted; -1 for its first corner
-///   descend(face, cell, parameters)           the child_cell that a place lies in; makes its parameters those in it
+///   descend(face, cell, parameters)           the child_cell of a place; replaces its parameters by those in it
 ///   cell_of_child(child, first, cell)         the number of that cell; `first` is the corner of vertex_of_child
-///   keeps_first_corners                       the first corners of faces have a meaning
+///   keeps_first_corners                       true if the first corners of faces have a meaning
 ///   has_vertices_at_corners(face), splits_in_four, is_cut_off_by_boundaries, has_polynomials_at_boundaries
 template <class Columns>
 struct face_domain;
@@ -150,7 +150,7 @@ struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
         move_to_quarter(corner, at);
         return {corner, 0};
     }
-    /// Makes parameters of a quad those of the quarter at a corner.
+    /// Replaces parameters of a quad by those of the quarter at a corner.
     static void move_to_quarter(std::size_t corner, face_parameters& at)
     {
         const double s = at.s, t = at.t;
@@ -163,14 +163,14 @@ struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
     }
 };
 
-/// Polygons stay, in the middle, with their sub-faces.
+/// The domain of the ternary split. Polygons stay, in the middle, with their sub-faces.
 template <>
 struct face_domain<decltype(ternary_split::columns())> : domain_of_quads {
     static constexpr std::size_t fineness = 3;
     static constexpr int steps = 17;
 
     static std::size_t children(const domain_face& face) { return 2 * face.degree + 1; }
-    /// Children are those at corners, those at sides, and the one in the middle.
+    /// Returns the number of child k. Children are the faces at corners, those at sides, and the one in the middle.
     template <std::unsigned_integral Index, class Ids>
     static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
@@ -211,12 +211,12 @@ struct face_domain<decltype(ternary_split::columns())> : domain_of_quads {
     }
 };
 
-/// Parameters of triangles.
+/// The parameters of triangles.
 struct domain_of_triangles : domain_at_vertices<3> {
     static constexpr bool is_tensor = false;
     static constexpr auto corners = corners_of_faces<3>;
 
-    static constexpr std::size_t degree = 4; ///< of the splines that are looked for
+    static constexpr std::size_t degree = 4; ///< of the splines that are searched for
     /// Turns the parameters of a triangle: corner 1 becomes the origin.
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, std::max(1 - at.s - at.t, 0.), -1, -1); }
 };
@@ -228,7 +228,7 @@ struct face_domain<decltype(triangle_split::columns())> : domain_of_triangles {
     static constexpr int steps = 27;
 
     static std::size_t children(const domain_face&) { return 4; }
-    /// Children are those at corners, and the one in the middle.
+    /// Returns the number of child k. Children are the faces at corners, and the one in the middle.
     template <std::unsigned_integral Index, class Ids>
     static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {

@@ -3,7 +3,7 @@
 
 namespace kith::detail {
 
-/// Parameters s and t in a face of some level, and their derivatives by u and v of the face in the control mesh.
+/// The parameters s and t in a face of some level. They have derivatives by u and v of the face in the control mesh.
 struct face_parameters {
     double s, t;
     double s_u = 1, s_v = 0, t_u = 0, t_v = 1;

@@ -21,7 +21,7 @@ namespace kith::detail {
 
 using polynomial_pointer = std::unique_ptr<const surface_polynomial>;
 
-/// Returns a polynomial of degree zero, of which so many derivatives are known.
+/// Returns a polynomial of degree zero, of which `derivatives` derivatives are known.
 inline polynomial_pointer constant_polynomial(const control_row& row, int derivatives)
 {
     auto made = polynomial_of(0, false, std::array{row});
@@ -35,7 +35,7 @@ control_row row_of_limit(const Mask& mask, std::size_t inputs)
 {
     return dense(affine<stencil_row>::store(mask.evaluate(point_values<Level>())), inputs);
 }
-/// Adds the second and first of two tangents, unless they are no numbers: at a vertex of two edges.
+/// Adds the second and first of two tangents, unless they are not finite, as at a vertex of two edges.
 inline void add_tangents(const control_row& first, const control_row& second, std::vector<control_row>& result)
 {
     const auto are_finite = [](const control_row& row) {
@@ -65,7 +65,7 @@ std::vector<control_row> position_and_tangents(const Element<Level>& x, const Le
     return result;
 }
 
-/// Returns true if a sector has a face.
+/// Returns true if a sector contains a face.
 template <level Level>
 bool has_face(const vertex_sector<Level>& part, std::size_t face)
 {
@@ -78,9 +78,9 @@ bool has_face(const vertex_sector<Level>& part, std::size_t face)
     return false;
 }
 
-/// Adds the second and first tangent of the sector of a vertex that has a face, if there are masks for them. Beside a
-/// curve they are along it and into the sector. At a corner the tangents of the edges span a plane if all else shrinks
-/// faster than these: in sectors of few faces.
+/// Adds the second and first tangent of the sector of a vertex that contains a face, if there are masks for them.
+/// Beside a curve they are along it and into the sector. At a corner the tangents of the edges span a plane if
+/// everything else shrinks faster than these: in sectors of few faces.
 template <class Scheme, level Level>
 void add_tangents_of_sector([[maybe_unused]] const vertex<Level>& v, [[maybe_unused]] const Level& level,
                             [[maybe_unused]] const Scheme& scheme, [[maybe_unused]] std::size_t face,
@@ -102,7 +102,7 @@ void add_tangents_of_sector([[maybe_unused]] const vertex<Level>& v, [[maybe_unu
     }
 }
 
-/// Returns the polynomial of a limit: constant, or with tangents. Nothing if there are no rows.
+/// Returns the polynomial of a limit: constant, or with tangents. The result is nothing if there are no rows.
 inline polynomial_pointer polynomial_of_limit(const std::vector<control_row>& position_and_tangents)
 {
     if (position_and_tangents.empty())
@@ -114,8 +114,8 @@ inline polynomial_pointer polynomial_of_limit(const std::vector<control_row>& po
     return std::make_unique<const surface_polynomial>(std::move(made));
 }
 
-/// Returns the limit of a vertex by closed masks, with the tangents of the surface in a face if there are masks for
-/// them; nothing if there is none. Precondition: the points of the mesh are unit rows.
+/// Returns the limit of a vertex by closed-form masks, with the tangents of the surface in a face if there are masks
+/// for them. The result is nothing if there is no mask. Precondition: the points of the mesh are unit rows.
 template <std::unsigned_integral Index, class Scheme>
 polynomial_pointer limit_at_vertex(const basic_mesh<stencil_row, Index>& mesh, const Scheme& scheme, Index vertex,
                                    Index face)
@@ -128,7 +128,7 @@ polynomial_pointer limit_at_vertex(const basic_mesh<stencil_row, Index>& mesh, c
         return polynomial_of_limit(rows);
     });
 }
-/// Returns the limit of the centre of a face, as that of a vertex.
+/// Returns the limit of the centre of a face, in the same way as that of a vertex.
 template <std::unsigned_integral Index, class Scheme>
 polynomial_pointer limit_at_centre(const basic_mesh<stencil_row, Index>& mesh, const Scheme& scheme, Index face)
 {

@@ -29,14 +29,14 @@ concept has_quad_parameters = domain_of<Scheme>::sides == 4;
 
 } // namespace detail
 
-/// A scheme whose limit surface has parameters: kith knows how its split cuts those of a face, and how far its masks
-/// reach.
+/// Requirements of a scheme whose limit surface has parameters: kith knows how its split cuts those of a face, and how
+/// far its masks reach.
 template <class Scheme>
 concept parametric_scheme = searchable_scheme<Scheme> and requires { detail::domain_of<Scheme>::sides; };
 
 namespace detail {
 
-/// Returns the rings around a face that its limit surface follows from: a step makes as many of as many.
+/// Returns the number of rings around a face that determine its limit surface: a step makes as many rings from as many.
 template <searchable_scheme Scheme>
 int rings_of_surface(const Scheme& scheme)
 {
@@ -48,7 +48,7 @@ int rings_of_surface(const Scheme& scheme)
     return rings;
 }
 
-/// Returns the degree of the splines that are looked for. Errors: mesh_error where it is too high.
+/// Returns the degree of the splines that are searched for. Errors: mesh_error if it is too high.
 template <class Scheme>
 std::size_t degree_of_polynomials([[maybe_unused]] const Scheme& scheme)
 {
@@ -58,7 +58,7 @@ std::size_t degree_of_polynomials([[maybe_unused]] const Scheme& scheme)
         return domain_of<Scheme>::degree;
 }
 
-/// Returns true if the state of the scheme says of all levels to come what it says of this one.
+/// Returns true if the state of the scheme is the same on this level and on all later ones.
 template <scheme Scheme>
 bool is_settled(const Scheme& scheme)
 {

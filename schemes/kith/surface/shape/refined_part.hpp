@@ -15,7 +15,7 @@
 
 namespace kith::detail {
 
-/// The part of a shape after some steps, and the faces that these have made of its face.
+/// The part of a shape after some steps, and the faces that these steps have made of its face.
 template <class Shape>
 struct refined_part {
     using mesh_type = typename Shape::mesh_type;
@@ -24,8 +24,8 @@ struct refined_part {
     using mark_type = typename Shape::rule_type::mark_type;
     using domain = typename Shape::domain;
 
-    /// Returns the part before the first step. For schemes of closed meshes it is closed, too far from the face to
-    /// matter.
+    /// Returns the part before the first step. For schemes of closed meshes the part is closed, too far from the face
+    /// to matter.
     static refined_part of(const Shape& here)
     {
         refined_part result{here.mesh, here.scheme, {}, {}, {here.face}};
@@ -43,7 +43,7 @@ struct refined_part {
         }
         return result;
     }
-    /// Returns the part after a further step. Values at corners go by a rule.
+    /// Returns the part after a further step. `rule` refines values at corners.
     template <class Rule>
     [[nodiscard]] refined_part refined([[maybe_unused]] const Rule& rule) const
     {
@@ -74,7 +74,7 @@ struct refined_part {
     storage<stencil_row> rows{}; ///< of corners, if these have values
     storage<mark_type> marks{};
     std::vector<index_type> faces{};
-    std::vector<std::size_t> first{}; ///< the vertices from which their cells are counted
+    std::vector<std::size_t> first{}; ///< the vertices from which the cells of the faces are counted
 };
 
 } // namespace kith::detail

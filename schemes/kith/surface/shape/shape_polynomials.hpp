@@ -20,15 +20,15 @@
 
 namespace kith::detail {
 
-/// Finds the polynomials of shapes. No scheme says that it is a spline: the surface over a face is a polynomial if the
-/// one through some of its points agrees with the polynomials over the children of the face.
+/// The search for the polynomials of shapes. No scheme declares that it is a spline. The surface over a face is a
+/// polynomial if a polynomial through some of its points agrees with those over the children of the face.
 template <class Shape>
 class shape_polynomials {
     using domain = typename Shape::domain;
     using sample = shape_sample<Shape>;
 
 public:
-    /// Looks for polynomials up to a degree.
+    /// Takes the largest degree of polynomials that are searched for.
     explicit shape_polynomials(std::size_t most_degree)
         : degree_(most_degree)
         , lattice_(most_degree, domain::is_tensor)
@@ -36,8 +36,8 @@ public:
     {
     }
 
-    /// Decides shapes that lead to one another. All others that they lead to are decided.
-    /// Cost: for each shape that of some hundred products of matrices and rows.
+    /// Decides shapes that lead to one another. Precondition: all other shapes that they lead to are decided. Cost: for
+    /// each shape that of some hundred products of matrices and rows.
     void decide(std::span<Shape* const> shapes) const
     {
         std::vector<sample> samples;
@@ -126,8 +126,8 @@ private:
                     result = result and sample(here, cell, at[0], at[1]).polynomial_of_child() != nullptr;
         return result;
     }
-    /// Keeps the limit at a corner of the face, or at its centre. Finds what masks do not tell by repeating the step,
-    /// if this makes the same shape there. Keeps none without tangents if steps lead to one with them.
+    /// Keeps the limit at a corner of the face, or at its centre. Finds a limit that masks do not give by repeating the
+    /// step, if this makes the same shape there. Keeps none without tangents if steps lead to one with them.
     static void keep_limit(Shape& here, std::size_t corner, polynomial_pointer limit)
     {
         if (not limit or limit->derivatives == 0) {
@@ -139,7 +139,7 @@ private:
         here.has_corner_limits = here.has_corner_limits or limit != nullptr;
         here.at_corners[corner] = std::move(limit);
     }
-    /// Returns the place of a corner of the face, or of its centre, if there are limits.
+    /// Returns the place of a corner of the face, or of its centre, if a limit can be there.
     static std::optional<sample> sample_at(Shape& here, std::size_t corner)
     {
         for (std::size_t cell = 0; cell < here.polynomials.size(); ++cell)
@@ -148,7 +148,7 @@ private:
                     return sample(here, cell, at[0], at[1]);
         return {};
     }
-    /// Returns the corner of the face of the child that a place is in, if there is a child and the place is a corner.
+    /// Returns the corner of the child's face at which a place lies, if there is a child and the place is at a corner.
     static std::optional<std::size_t> corner_of_child(const sample& there)
     {
         if (there.child().of == nullptr)
@@ -202,15 +202,16 @@ private:
             rows.insert(rows.end(), {(*tangents)[1], (*tangents)[0]});
         return polynomial_of_limit(rows);
     }
-    /// Returns the matrix of the step that makes a shape of itself around a corner or the centre; nullptr for none.
+    /// Returns the matrix of the step that makes the same shape again around a corner or the centre; nullptr if none
+    /// does.
     static const subdivision_matrix* step_to_itself(Shape& here, std::size_t corner)
     {
         const auto there = sample_at(here, corner);
         const bool is_same = there and there->child().of == &here and corner_of_child(*there) == corner;
         return is_same ? &there->child().rows : nullptr;
     }
-    /// Returns true if a corner of the face, or the face if it has a limit at its centre, does not lie at a boundary,
-    /// and if there is no state around.
+    /// Returns true if there is no state around and a corner of the face does not lie at a boundary. If the face has a
+    /// limit at its centre, none of its sides may lie at a boundary.
     static bool is_inside(const Shape& here, std::size_t corner)
     {
         const auto& mesh = here.mesh.topology();
@@ -247,7 +248,7 @@ private:
         for (const auto& [s, t] : lattice_points(1, domain::is_tensor)) {
             const auto k = std::size_t(std::ranges::find(domain::corners, std::array{s, t}) - domain::corners.begin());
             corners.push_back(corner_row(here, std::min(k, face.degree - 1)));
-            if constexpr (Shape::has_points) // of the masks of limits
+            if constexpr (Shape::has_points) // the limit by masks
                 if (has_vertices and is_settled(here.scheme)) {
                     auto limit = limit_at_vertex(here.mesh, here.scheme, here.mesh.face(here.face)[k], here.face);
                     if (limit)
@@ -265,7 +266,7 @@ private:
 
     std::size_t degree_;
     polynomial_lattice lattice_;
-    std::vector<std::array<double, 2>> points_; // by which cells are checked
+    std::vector<std::array<double, 2>> points_; // the points by which cells are checked
 };
 
 } // namespace kith::detail

@@ -11,14 +11,14 @@
 
 namespace kith::detail {
 
-/// Each side of a triangle and the one across make two triangles, each with half of the side. Where boundaries are cut
-/// in three, a triangle at the boundary has a child of its own in the middle.
+/// The domain of the sqrt(3) split. Each side of a triangle and the side across it make two triangles, each with half
+/// of the side. If boundaries are cut in three, a triangle at the boundary has a child of its own in the middle.
 template <>
 struct face_domain<decltype(sqrt3_split::columns(0))> : domain_of_triangles {
     static constexpr std::size_t fineness = 6;
     static constexpr int steps = 34;
 
-    /// Children are those at the sides, then those across the sides.
+    /// Returns the number of children: the faces at the sides, then those across the sides.
     static std::size_t children(const domain_face&) { return 6; }
     template <std::unsigned_integral Index, class Ids>
     static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
@@ -58,7 +58,7 @@ private:
         at.replace(1 - last, -last_by_s, -last_by_t, first, first_by_s, first_by_t);
         return {3 + side, 0};
     }
-    /// Descends in a triangle with points at the thirds of one side, which take the place of the centre.
+    /// Descends in a triangle with points at the thirds of one side, which replace the centre.
     static child_cell descend_in_cut(std::size_t wall, face_parameters& at)
     {
         for (std::size_t side = 0; side < wall; ++side)

@@ -18,23 +18,23 @@
 
 namespace kith::detail {
 
-/// Stands for the rule of values at vertices, which are refined as points are.
+/// A tag for the rule of values at vertices, which are refined as points are.
 struct as_points {
     struct mark_type {};
 };
 
-/// The values around a face beside its mesh: where corners have values, which may differ at a vertex.
+/// The values at corners around a face, which may differ at a vertex; none if values are at vertices.
 template <std::unsigned_integral Index, class Rule>
 struct values_at_corners {
     std::vector<Index> inputs;                 ///< the input of each corner
-    storage<typename Rule::mark_type> marks{}; ///< of the rule, for each corner; none before the first step
+    storage<typename Rule::mark_type> marks{}; ///< marks of the rule, for each corner; none before the first step
 };
 template <std::unsigned_integral Index>
 struct values_at_corners<Index, as_points> {};
 
 /// The neighbourhood of a face, and its children: the shapes around the faces that a step makes of it. Inputs are the
-/// control points of the neighbourhood, or its values at corners by a rule of fields. Those of a child are weighted
-/// sums of those of its parent.
+/// control points of the neighbourhood, or its values at corners by a rule of fields. The inputs of a child are
+/// weighted sums of those of its parent.
 template <std::unsigned_integral Index, parametric_scheme Scheme, class Rule>
 struct surface_shape {
     static constexpr bool has_points = std::same_as<Rule, as_points>;
@@ -46,7 +46,7 @@ struct surface_shape {
     using corner_values = values_at_corners<Index, Rule>;
 
     struct child {
-        surface_shape* of; ///< nullptr where a boundary cuts off this part of the face
+        surface_shape* of; ///< nullptr if a boundary cuts off this part of the face
         subdivision_matrix rows;
         std::size_t first; ///< the corner of its face from which cells are counted
     };
@@ -72,19 +72,19 @@ struct surface_shape {
     bool has_key; ///< parts with the same key have this shape
     domain_face in_domain;
 
-    std::atomic<bool> is_decided = false; ///< all members below are final
+    std::atomic<bool> is_decided = false; ///< true if all members below are final
     std::vector<child> children{};
     std::vector<polynomial_pointer> polynomials; ///< of the cells of the face that have one
-    std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks,
-                                                 ///< or of the centre of the face
-    bool has_corner_limits = false;              ///< there is one at some corner
+    std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks, or
+                                                 ///< of the centre of the face
+    bool has_corner_limits = false;              ///< true if some corner has a limit
     polynomial_pointer at_end{};                 ///< of the face after many steps, between the limits of its corners
-    bool leads_to_polynomials = false;           ///< it has one, or a shape that steps make of it
+    bool leads_to_polynomials = false;           ///< true if it has one, or a shape that steps make of it has one
     std::size_t number = 0, oldest = 0;          ///< of a search for shapes that lead to one another
 };
 
-/// Returns the cell of a child that a place in a cell of a shape lies in. Makes its parameters those in it. The cell
-/// has no meaning if the child is not there.
+/// Returns the cell of a child in which a place in a cell of a shape lies. Replaces its parameters by those in that
+/// cell. The cell has no meaning if the child does not exist.
 template <class Shape>
 child_cell descend(const Shape& shape, std::size_t cell, face_parameters& at)
 {
@@ -96,7 +96,7 @@ child_cell descend(const Shape& shape, std::size_t cell, face_parameters& at)
     return next;
 }
 
-/// A point in a cell of a shape, and in the cell of a child that it lies in.
+/// A point in a cell of a shape, and in the cell of the child that contains it.
 template <class Shape>
 struct shape_sample {
     shape_sample(Shape& shape, std::size_t in_cell, double in_s, double in_t)

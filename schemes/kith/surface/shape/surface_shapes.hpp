@@ -27,9 +27,9 @@ namespace kith {
 namespace detail {
 
 /// The shapes of the parts of a mesh around its faces, and of those around the faces that steps make of them. Parts of
-/// one shape have the same polynomials. The scheme's own text refines a part of each shape once, with rows of weights
-/// for points. If a rule is given, this rule refines rows for values at corners instead. Several threads may use an
-/// object at once: shapes do not depend on which thread makes them.
+/// one shape have the same polynomials. The scheme itself refines a part of each shape once, with rows of weights for
+/// points. If a rule is given, this rule refines rows for values at corners instead. Several threads may use an object
+/// at once: shapes do not depend on which thread makes them.
 template <std::unsigned_integral Index, parametric_scheme Scheme, class Rule = as_points>
 class surface_shapes {
 public:
@@ -42,6 +42,7 @@ public:
         const Scheme& scheme;
         Index face;
         std::vector<Index> first_alike{}; ///< for each corner the first one at its vertex with the same value; for
+                                          ///< for each corner the first one at its vertex with the same value; for
                                           ///< values at corners only
         storage<typename Rule::mark_type> marks{};
     };
@@ -51,14 +52,14 @@ public:
     {
     }
 
-    /// Returns the shape of a part, and for each of its inputs a corner of the part that has it.
+    /// Returns the shape of a part, and for each input of the shape a corner of the part that has it.
     std::pair<shape*, std::vector<Index>> of_part(const part& around)
     {
         const std::scoped_lock lock(mutex_);
         return add_part(around);
     }
 
-    /// Makes what a shape leads to.
+    /// Makes the children and polynomials of a shape and of all shapes that it leads to.
     void look(shape& here)
     {
         if (here.is_decided.load(std::memory_order_acquire))
@@ -66,7 +67,7 @@ public:
         const std::scoped_lock lock(mutex_);
         try {
             decide(here);
-        } catch (...) { // what was open can be decided again
+        } catch (...) { // open shapes can be decided again
             for (shape* const open : open_)
                 open->number = 0;
             open_.clear();
@@ -74,16 +75,16 @@ public:
         }
     }
 
-    /// Follows a place down to the piece of the surface that it lies in: calls descend(k) for each child on the way.
-    /// Returns the polynomial over the inputs of the last shape, or nullptr where a boundary cuts off the place.
-    /// `corner` is the sub-face of the place if the face has sub-faces, and `at` becomes the parameters in the piece.
-    /// Cost: O(depth); a shape that is met for the first time costs a step.
+    /// Follows a place down to the piece of the surface in which it lies: calls descend(k) for each child on the way.
+    /// Returns the polynomial over the inputs of the last shape, or nullptr if a boundary cuts off the place. `corner`
+    /// is the sub-face of the place if the face has sub-faces, and `at` becomes the parameters in the piece. Cost:
+    /// O(depth); a shape that is met for the first time costs a step.
     template <class Descend>
     const surface_polynomial* find(shape& root, std::size_t corner, face_parameters& at, const Descend& descend)
     {
         std::size_t cell = domain::enter(root.in_domain, corner, at);
         shape* here = &root;
-        int steps_without = 0; // with no polynomial to come
+        int steps_without = 0; // steps after which no polynomial follows
         for (int depth = 0;; ++depth) {
             look(*here);
             if (here->polynomials[cell])
@@ -137,7 +138,8 @@ private:
             known = add();
         return {known, std::move(input_from)};
     }
-    /// Numbers the inputs by canonical corners, which are listed by vertices. Adds what tells parts apart to the key.
+    /// Numbers the inputs by canonical corners, which are listed by vertices. Appends the differences between parts to
+    /// the key.
     static typename shape::corner_values number_inputs(const part& around, canonical_part<Index, Scheme>& canonical,
                                                        std::vector<Index>& input_from)
     {
@@ -184,8 +186,8 @@ private:
         }
     }
 
-    /// Decides a shape, and all that it leads to. Those that lead to one another are decided together, after all
-    /// others: Tarjan 1972.
+    /// Decides a shape, and all shapes that it leads to. Shapes that lead to one another are decided together, after
+    /// all others: Tarjan 1972.
     void decide(shape& here)
     {
         if (here.is_decided)
@@ -193,7 +195,7 @@ private:
         split(here);
         here.number = here.oldest = ++last_number_;
         open_.push_back(&here);
-        if (here.has_key) // the children of all others are new ones for ever
+        if (here.has_key) // other shapes have new children on every level
             for (const auto& child : here.children) {
                 if (child.of == nullptr)
                     continue;
@@ -261,7 +263,7 @@ private:
     shape_polynomials<shape> polynomials_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<shape>> shapes_;
-    std::vector<shape*> open_; // that a search has met and not decided
+    std::vector<shape*> open_; // met by a search and not decided
     std::size_t last_number_ = 0;
     std::unordered_map<std::u32string, shape*> by_key_;
 };

@@ -12,7 +12,7 @@ namespace kith::detail {
 /// A weighted sum of control points: the weight of each.
 using control_row = std::vector<double>;
 
-/// Returns a row with all weights.
+/// Returns the row with all weights, including zeros.
 inline control_row dense(const stencil_row& sparse, std::size_t inputs)
 {
     control_row row(inputs);
@@ -28,7 +28,7 @@ inline void add(control_row& total, double weight, const control_row& row)
         total[i] += weight * row[i];
 }
 
-/// Returns a row over the points that the rows of a matrix make, as a row over the points that they are made of.
+/// Returns a row over the points that the rows of a matrix make, as a row over the points that the matrix takes.
 inline control_row composed(const control_row& row, const subdivision_matrix& rows)
 {
     control_row result(rows.columns);
@@ -38,7 +38,7 @@ inline control_row composed(const control_row& row, const subdivision_matrix& ro
     return result;
 }
 
-/// Returns true if two rows are equal but for rounding.
+/// Returns true if two rows are equal up to rounding.
 inline bool are_near(const control_row& a, const control_row& b)
 {
     constexpr double rounding = 1e-12;

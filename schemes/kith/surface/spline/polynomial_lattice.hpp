@@ -12,7 +12,7 @@
 
 namespace kith::detail {
 
-/// Returns the points of a lattice in a quad, or in a triangle, with so many segments on a side.
+/// Returns the points of a lattice in a quad, or in a triangle, with `segments` segments on a side.
 inline std::vector<std::array<double, 2>> lattice_points(std::size_t segments, bool is_tensor)
 {
     if (segments == 0)
@@ -24,7 +24,8 @@ inline std::vector<std::array<double, 2>> lattice_points(std::size_t segments, b
     return result;
 }
 
-/// The polynomials of a degree that are 1 at one point of a lattice with so many segments and 0 at all others.
+/// The polynomials of a degree that are 1 at one point of a lattice and 0 at all others. The lattice has as many
+/// segments on a side as the degree.
 class polynomial_lattice {
 public:
     polynomial_lattice(std::size_t degree, bool is_tensor) : degree_(degree), is_tensor_(is_tensor)
@@ -36,14 +37,14 @@ public:
 
     [[nodiscard]] std::vector<std::array<double, 2>> points() const { return lattice_points(degree_, is_tensor_); }
 
-    /// Returns the polynomial that has these values at the points.
+    /// Returns the polynomial with these values at the points.
     [[nodiscard]] surface_polynomial through(std::span<const control_row> values) const
     {
         std::vector<control_row> coefficients = coefficients_through(values);
         round_to_fractions(coefficients);
         return polynomial_of(degree_, is_tensor_, coefficients);
     }
-    /// Returns the degree of that polynomial, apart from rounding errors.
+    /// Returns the degree of that polynomial, without rounding errors.
     [[nodiscard]] std::size_t degree_through(std::span<const control_row> values) const
     {
         const auto coefficients = coefficients_through(values);
@@ -65,8 +66,8 @@ private:
                 add(coefficients[term], basis_[p][term], values[p]);
         return coefficients;
     }
-    /// Removes rounding errors from the coefficients of splines, which are fractions: if all weights are multiples of
-    /// the same fraction but for rounding, they become such multiples.
+    /// Removes rounding errors from the coefficients of splines, which are fractions. If all weights are multiples of
+    /// the same fraction up to rounding, they become such multiples.
     void round_to_fractions(std::vector<control_row>& coefficients) const
     {
         constexpr double denominator = 3686400;                     // 2^14 3^2 5^2

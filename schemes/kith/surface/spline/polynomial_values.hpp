@@ -8,8 +8,8 @@
 
 namespace kith::detail {
 
-/// Evaluates polynomials by Horner's rule over numbers of any kind: Number has what `affine` has. All is passed by
-/// reference, as there may be numbers in registers that not every processor has.
+/// The evaluation of polynomials by Horner's rule over numbers of any kind: Number has the members of `affine`. All
+/// arguments are passed by reference, since numbers may be in registers that not every processor has.
 template <class Number>
 struct polynomial_values {
     using sum = typename Number::sum;
@@ -31,7 +31,7 @@ struct polynomial_values {
         for (std::size_t i = polynomial.degree; i-- > 0;) {
             std::array<sum, Outputs> row;
             write_row(i, row);
-            // Derivatives come before what they are derivatives of.
+            // Derivatives come before the values that they are derivatives of.
             if constexpr (Outputs > 3) {
                 multiply_and_add(result[3], s, result[1]);
                 Number::add(result[3], result[1]);

@@ -12,12 +12,12 @@
 
 namespace kith::detail {
 
-/// A step that makes of a net a smaller one of the same kind, around the same point. Repeating it leads to the left
-/// eigenvectors of its matrix, by which kith finds limits that no scheme has masks for.
+/// A step that makes a smaller net of the same kind from a net, around the same point. Its repetition leads to the left
+/// eigenvectors of its matrix. By these kith finds limits for which no scheme has masks.
 class repeated_step {
 public:
-    /// Takes the matrix of the step, and a row of a point of the net. The matrix must outlive this object.
-    /// Cost: O(entries of the matrix) for each of some dozen steps, as a rule.
+    /// Takes the matrix of the step, and a row of a point of the net. The matrix must outlive this object. Cost:
+    /// O(entries of the matrix) for each step; usually a few dozen steps.
     repeated_step(const subdivision_matrix& step, control_row point) : step_(&step)
     {
         for (int i = 0; i < most_steps; ++i) {
@@ -31,10 +31,11 @@ public:
         }
     }
 
-    /// Returns the row of the point that the net becomes; nothing if it becomes none.
+    /// Returns the row of the point to which the net shrinks; nothing if it does not shrink to one.
     [[nodiscard]] const std::optional<control_row>& point() const { return point_; }
-    /// Returns rows of the directions from this point in which two differences of points of the net go. They may turn
-    /// in their plane. Nothing if they span none, or if one shrinks faster than the other.
+    /// Returns the rows of two tangents at this point, in whose directions two differences of points of the net shrink.
+    /// They may turn in their plane. The result is nothing if they span no plane, or if one shrinks faster than the
+    /// other.
     [[nodiscard]] std::optional<std::array<control_row, 2>> tangents(control_row a, control_row b) const
     {
         normalize(a);
@@ -84,7 +85,7 @@ private:
             result += a[i] * b[i];
         return result;
     }
-    /// Takes off the part that stays in all steps. Makes the largest weight 1 and returns what it was.
+    /// Removes the part that stays in all steps. Makes the largest weight 1 and returns its former value.
     double normalize(control_row& row) const
     {
         double sum = 0, largest = 0;
@@ -98,7 +99,7 @@ private:
             weight /= largest;
         return largest;
     }
-    /// Returns how far a row is from a sum of two rows.
+    /// Returns the largest difference of a row from a sum of two rows.
     static double distance(const control_row& row, const std::array<double, 2>& shares, const control_row& a,
                            const control_row& b)
     {

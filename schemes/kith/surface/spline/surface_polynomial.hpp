@@ -17,13 +17,13 @@ struct surface_polynomial {
     static constexpr std::size_t most_degree = 6;
 
     std::size_t degree = 0;  ///< in s, and in t
-    bool is_tensor = true;   ///< all terms s^i t^j have i, j <= degree; else i + j <= degree
-    int derivatives = 2;     ///< so many are known; all others are no numbers
+    bool is_tensor = true;   ///< terms s^i t^j have i, j <= degree; else i + j <= degree
+    int derivatives = 2;     ///< number of known derivatives; all others are NaN
     subdivision_matrix rows; ///< of the coefficients, that of s^0 t^0 first, then by powers of t
 
-    /// Returns the number of terms that have s^i.
+    /// Returns the number of terms that contain s^i.
     [[nodiscard]] std::size_t row_size(std::size_t i) const { return is_tensor ? degree + 1 : degree + 1 - i; }
-    /// Returns the first of them.
+    /// Returns the index of the first of these terms.
     [[nodiscard]] std::size_t begin_of_row(std::size_t i) const
     {
         return is_tensor ? i * (degree + 1) : i * (2 * degree + 3 - i) / 2;
@@ -45,7 +45,7 @@ struct surface_polynomial {
     }
 };
 
-/// Returns the polynomial of these coefficients.
+/// Returns the polynomial with these coefficients.
 inline surface_polynomial polynomial_of(std::size_t degree, bool is_tensor, std::span<const control_row> coefficients)
 {
     std::vector<stencil_row> rows;

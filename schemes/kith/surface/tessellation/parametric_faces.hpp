@@ -22,10 +22,10 @@ namespace kith::detail {
 struct shared_curve {
     std::size_t first = 0, last = 0;
     std::size_t face = std::numeric_limits<std::size_t>::max(); ///< the parametric face that was the first to have it
-    std::size_t part = 0;                                       ///< which part of the sides of that face it is
-    bool is_half = false;                                       ///< as long as half of an edge
-    bool is_boundary = false;                                   ///< no other face has it
-    bool is_wall = false;                                       ///< on a boundary or an infinitely sharp edge
+    std::size_t part = 0;                                       ///< the number of the part of the sides of that face
+    bool is_half = false;                                       ///< true if it is as long as half of an edge
+    bool is_boundary = false;                                   ///< true if no other face has it
+    bool is_wall = false;                                       ///< true on a boundary or an infinitely sharp edge
 };
 /// A curve as a part of a side of a face.
 struct part_of_side {
@@ -38,13 +38,13 @@ struct parametric_face {
     surface_place origin; ///< the place of (0, 0)
     std::uint32_t sides = 0, parts_of_side = 1;
     std::array<part_of_side, 8> all_parts{};
-    bool is_sub_face = false; ///< half as wide
+    bool is_sub_face = false; ///< true if it is a sub-face, which is half as wide
 
     /// Returns the curves around the face.
     [[nodiscard]] std::span<const part_of_side> parts() const { return {all_parts.data(), sides * parts_of_side}; }
 };
 
-/// Returns the parameters of t, 0 to 1, on a side of a face with so many sides.
+/// Returns the parameters of t, 0 to 1, on a side of a face with this number of sides.
 inline std::array<double, 2> parameters_on_side(std::size_t sides, std::size_t side, double t)
 {
     if (side == 0)
@@ -54,24 +54,24 @@ inline std::array<double, 2> parameters_on_side(std::size_t sides, std::size_t s
     return sides == 3 ? std::array{1 - t, t} : side == 1 ? std::array{1., t} : std::array{1 - t, 1.};
 }
 
-/// Returns u and v, which rounding may have brought out of a face with so many sides, within it.
+/// Returns u and v within a face with this number of sides, out of which rounding may have brought them.
 inline std::array<double, 2> parameters_within(std::size_t sides, double u, double v)
 {
     u = std::clamp(u, 0., 1.);
     return {u, std::clamp(v, 0., sides == 3 ? 1 - u : 1.)};
 }
 
-/// The parametric faces of a mesh, and the curves and corners that they share. Corners are the vertices, then, where
-/// there are polygons with sub-faces, the middles of the edges and the centres of the polygons.
+/// The parametric faces of a mesh, and the curves and corners that they share. Corners are the vertices. If there are
+/// polygons with sub-faces, the middles of the edges and the centres of the polygons follow.
 class parametric_faces {
 public:
     /// A part of a face that begins at a corner.
     struct start {
-        std::size_t face = std::numeric_limits<std::size_t>::max(); ///< this number if the corner has none
+        std::size_t face = std::numeric_limits<std::size_t>::max(); ///< the largest number if the corner has none
         std::size_t part = 0;
     };
 
-    /// Returns those of a mesh, with the scheme of its level. Cost: O(corners).
+    /// Returns the parametric faces of a mesh, with the scheme of its level. Cost: O(corners).
     template <std::unsigned_integral Index, parametric_scheme Scheme>
     static parametric_faces of(const connectivity<Index>& mesh, const Scheme& scheme)
     {
@@ -94,7 +94,7 @@ public:
             const auto edge = [&](std::size_t k) { return std::size_t(mesh.corner_halfedge[first + k] / 2); };
             const auto is_reversed = [&](std::size_t k) { return mesh.corner_halfedge[first + k] % 2 != 0; };
             const auto vertex = [&](std::size_t k) { return std::size_t(mesh.corner_vertex[first + k % n]); };
-            // The half of an edge that begins or ends at its origin in this face.
+            // The half of an edge that begins, or ends, at its origin in this face.
             const auto half = [&](std::size_t k, bool is_first) {
                 return part_of_side{2 * edge(k) + (is_first == is_reversed(k) ? 1 : 0), is_reversed(k)};
             };

@@ -31,9 +31,9 @@ namespace kith {
 template <class Point>
 struct tessellation {
     basic_mesh<Point> mesh;
-    storage<surface_place> places{};  ///< of the vertices, which a `surface_locator` evaluates for other values
-    storage<normal_vector> normals{}; ///< at the vertices; where faces meet sharply, that of one of them
-    storage<std::uint32_t> faces{};   ///< of the control mesh, for each triangle the one that it lies in
+    storage<surface_place> places{};  ///< of the vertices; a `surface_locator` evaluates other values there
+    storage<normal_vector> normals{}; ///< at the vertices; if faces meet sharply, that of one of them
+    storage<std::uint32_t> faces{};   ///< the face of the control mesh that contains each triangle
 };
 
 namespace detail {
@@ -53,7 +53,7 @@ class tessellator {
     using lattices = surface_lattices<Scheme, Index>;
 
 public:
-    /// Precondition: the options are positive numbers.
+    /// Takes a control mesh and options. Precondition: the options are positive numbers.
     tessellator(const basic_mesh<Point, Index>& control, const Scheme& scheme, const tessellation_options& options)
         : control_(control.points())
         , options_(options)
@@ -64,7 +64,7 @@ public:
     {
     }
 
-    /// Errors: mesh_error where more than most_segments are needed.
+    /// Returns the tessellation. Errors: mesh_error if more than most_segments are needed.
     tessellation<Point> make()
     {
         constexpr int most_rounds = 12;
@@ -90,7 +90,7 @@ private:
         return std::isfinite(options_.chord_error) or std::isfinite(options_.longest_edge);
     }
 
-    /// Cuts faces that are not cut and so would have an edge in common with two others. Returns whether there are any.
+    /// Cuts faces that are not cut and so would share an edge with two others. Returns true if there are any.
     bool split_repeated_edges()
     {
         struct edge {
@@ -125,8 +125,8 @@ private:
         return are_split;
     }
 
-    /// Measures how far the surface is from each triangle, and from segments of boundaries and sharp edges. Raises the
-    /// rates where this is too far, or an edge too long, and returns whether there are such faces.
+    /// Measures the distance of the surface from each triangle, and from segments of boundaries and sharp edges. Raises
+    /// the rates where this distance or an edge is too long. Returns true if there are such faces.
     bool raise_rates()
     {
         storage<normal_vector> vertices(numbers_->vertices());
@@ -151,8 +151,8 @@ private:
         return std::ranges::any_of(factors.of_curves, [](double factor) { return factor > 1; });
     }
 
-    /// Evaluates the vertices on threads: calls take(vertex, face, u and v, values, i), where i is its number among the
-    /// values, for each vertex, in no order.
+    /// Evaluates the vertices on threads: calls take(vertex, face, u and v, values, i) for each vertex, in no order. i
+    /// is the number of the vertex among the values.
     template <bool HasNormals, class Take>
     void evaluate(const Take& take)
     {
@@ -193,7 +193,7 @@ private:
         add_missing_normals(result);
         return result;
     }
-    /// Gives vertices at which derivatives are no numbers the mean of the normals of their triangles.
+    /// Gives vertices at which derivatives are NaN the mean of the normals of their triangles.
     static void add_missing_normals(tessellation<Point>& made)
     {
         const auto is_missing = [](const normal_vector& normal) { return normal == normal_vector{}; };
@@ -221,11 +221,11 @@ private:
 
 } // namespace detail
 
-/// Tessellates the limit surface of a mesh: returns triangles that fit together without cracks, whose vertices lie on
-/// the surface. The vertices of the mesh come first, in their order. Each edge of the mesh is cut as often as its curve
-/// and the faces beside it need. For points of three coordinates. Errors: mesh_error for options that are not positive,
-/// for more than 4096 segments of an edge, and those of `surface_locator`. Cost: that of some evaluations per vertex;
-/// with a chord error or an edge length four more per triangle, in some rounds.
+/// Returns a tessellation of the limit surface of a mesh: triangles that fit together without cracks, whose vertices
+/// lie on the surface. The vertices of the mesh come first, in their order. Each edge of the mesh is cut as often as
+/// its curve and the faces beside it need. For points of three coordinates. Errors: mesh_error for options that are not
+/// positive, for more than 4096 segments of an edge, and those of `surface_locator`. Cost: that of some evaluations per
+/// vertex; with a chord error or an edge length four more per triangle, in some rounds.
 template <class Point, std::unsigned_integral Index, parametric_scheme Scheme>
 tessellation<Point> tessellate(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                const tessellation_options& options)

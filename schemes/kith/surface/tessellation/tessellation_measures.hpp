@@ -15,8 +15,8 @@
 
 namespace kith::detail {
 
-/// The factors by which the rates of faces, and of curves, are to be raised so that errors and lengths become as small
-/// as they were asked to be; at least 1.
+/// The factors, at least 1, by which the rates of faces and of curves must be raised. Errors and lengths then become as
+/// small as the options ask for.
 class tessellation_measures {
 public:
     tessellation_measures(const tessellation_numbers& numbers, const parametric_faces& faces,
@@ -31,8 +31,8 @@ public:
 
     std::vector<double> of_faces, of_curves;
 
-    /// Measures how far the surface is from each triangle, and how long edges are. Cost: that of evaluating a place for
-    /// each triangle and for each edge.
+    /// Measures the distance of the surface from each triangle, and the length of edges. Cost: that of evaluating a
+    /// place for each triangle and for each edge.
     template <class Lattices, class Point>
     void measure_triangles(Lattices& lattices, std::span<const typename Lattices::request> requests,
                            std::span<const Point> control, const storage<normal_vector>& vertices)
@@ -67,7 +67,7 @@ public:
                 }
             });
     }
-    /// Measures how far boundaries and sharp edges are from their segments.
+    /// Measures the distance of boundaries and sharp edges from their segments.
     template <class Locator, class Point>
     void measure_walls(Locator& surface, std::span<const Point> control, const tessellation_rates& rates)
     {
@@ -83,13 +83,13 @@ public:
             }
         const auto points = surface.locate(places).evaluate(control).points;
         for (std::size_t i = 0; i + 2 < points.size(); ++i)
-            if (curve_of[i] == curve_of[i + 2]) // every other triple is a segment; those between them are no worse
+            if (curve_of[i] == curve_of[i + 2]) // every other triple is a segment; the triples between are no worse
                 note_error(length_across(difference(points[i + 1], points[i]), difference(points[i + 2], points[i])),
                            of_curves[curve_of[i]]);
     }
 
 private:
-    /// Returns the number of the edge of a corner: those on the sides come first.
+    /// Returns the number of the edge of a corner: edges on the sides come first.
     static std::size_t edge_of(const triangle_pattern& pattern, std::size_t corner)
     {
         const std::size_t halfedge = pattern.corner_halfedge()[corner], on_sides = pattern.vertices_on_sides();
@@ -118,7 +118,7 @@ private:
         }
         return result;
     }
-    /// Makes a factor as large as an error asks for.
+    /// Raises a factor to the value that an error asks for.
     void note_error(double error, double& factor) const
     {
         if (error > options_.chord_error)

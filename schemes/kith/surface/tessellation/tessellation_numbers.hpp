@@ -20,14 +20,15 @@
 
 namespace kith::detail {
 
-/// The numbers of all vertices, edges and triangles of a tessellation: those at corners come first, then those on
+/// The numbers of all vertices, edges and triangles of a tessellation. Elements at corners come first, then those on
 /// curves, then those inside faces. Faces with the same rates share a pattern. The faces and rates must outlive this
 /// object.
 class tessellation_numbers {
 public:
     using index = std::uint32_t;
 
-    /// Errors: mesh_error for more corners than an index can number. Cost: O(faces), and that of the patterns.
+    /// Takes faces and their rates. Errors: mesh_error for more corners than an index can number. Cost: O(faces), and
+    /// that of the patterns.
     tessellation_numbers(const parametric_faces& faces, const tessellation_rates& rates) : faces_(faces), rates_(rates)
     {
         std::size_t vertices = 0, edges = 0, triangles = 0;
@@ -91,8 +92,8 @@ public:
         for (index v = in_faces_[f].vertex; v < in_faces_[f + 1].vertex; ++v)
             result.push_back(v);
     }
-    /// Calls take(begin, end, first, step) for the vertices in the pattern of a face that no other face calls its own:
-    /// they are number `first`, and the others in steps.
+    /// Calls take(begin, end, first, step) for runs of vertices in the pattern of a face that no other face owns.
+    /// Vertex `begin` of the pattern has the number `first`, and each next one `step` more.
     template <class Take>
     void for_own_vertices(std::size_t f, const Take& take) const
     {
@@ -111,7 +112,7 @@ public:
             take(pattern.vertices_on_sides(), pattern.parameters().size(), in_faces_[f].vertex, index(1));
     }
 
-    /// Returns the triangles, whose edges follow from the numbers. Runs on threads. Cost: O(triangles).
+    /// Returns the triangles. Their edges follow from the numbers. Runs on threads. Cost: O(triangles).
     [[nodiscard]] connectivity<index> connect() const
     {
         connectivity<index> result;
@@ -145,7 +146,7 @@ private:
     {
         return on_curves_[part.curve].vertex + (part.is_reversed ? n - 2 : 0);
     }
-    /// Returns true if the face answers for the corner at which a part begins.
+    /// Returns true if the face owns the corner at which a part begins.
     [[nodiscard]] bool begins_here(std::size_t f, std::size_t q) const
     {
         const parametric_faces::start& start = faces_.starts()[faces_.corner_of(faces_.faces()[f].parts()[q])];
@@ -199,7 +200,8 @@ private:
         for (std::size_t v = 0; v < start.size(); ++v)
             to.vertex_corner[in_faces_[f].vertex + v] = start[v] + first_corner;
     }
-    /// Lists the half-edges on the sides of a face, and writes the corners of these, and of vertices.
+    /// Lists the half-edges on the sides of a face. Writes the corners of these half-edges and of the vertices on the
+    /// sides.
     void join_sides(std::size_t f, index first_corner, std::vector<index>& halfedges, connectivity<index>& to) const
     {
         const triangle_pattern& pattern = patterns_[pattern_of_face_[f]];
@@ -229,9 +231,9 @@ private:
 
     const parametric_faces& faces_;
     const tessellation_rates& rates_;
-    std::size_t corners_ = 0; // the number of vertices there
+    std::size_t corners_ = 0; // number of vertices at corners
     std::vector<index> at_corners_;
-    std::vector<first_numbers> on_curves_, in_faces_; // of the faces with an end
+    std::vector<first_numbers> on_curves_, in_faces_; // by curve; by face, with an end
     std::vector<triangle_pattern> patterns_;
     std::vector<std::size_t> pattern_of_face_;
 };

@@ -21,16 +21,17 @@
 
 namespace kith {
 
-/// The fineness of a tessellation. All that is asked for holds.
+/// The fineness of a tessellation, which satisfies all options at once.
 struct tessellation_options {
     /// The least number of segments of each edge of the mesh.
     std::size_t segments = 1;
     /// The largest length of an edge of a triangle.
     double longest_edge = std::numeric_limits<double>::infinity();
-    /// The largest distance of the surface to the plane of the triangle that stands for it and, at boundaries and sharp
-    /// edges, to the segment. Measured in the middle of each triangle, edge and segment.
+    /// The largest distance of the surface from the plane of the triangle that approximates it. At boundaries and sharp
+    /// edges it is the distance from the segment. It is measured in the middle of each triangle, edge and segment.
     double chord_error = std::numeric_limits<double>::infinity();
-    /// About the largest angle between segments that follow each other, in radians. Measured by nine points of an edge.
+    /// The approximate largest angle between consecutive segments, in radians. It is measured by nine points of an
+    /// edge.
     double angle = std::numeric_limits<double>::infinity();
 };
 
@@ -52,7 +53,7 @@ inline double length_across(const normal_vector& a, const normal_vector& directi
     return std::sqrt(std::max(dot(a, a) - dot(a, direction) * dot(a, direction) / square, 0.));
 }
 
-/// Returns the segments that a curve needs, of which some points are given at equal steps.
+/// Returns the number of segments that a curve needs, given some of its points at equal steps.
 template <class Point>
 double segments_of(std::span<const Point> points, const tessellation_options& options)
 {
@@ -74,7 +75,7 @@ double segments_of(std::span<const Point> points, const tessellation_options& op
     return std::max(
         {1., whole_length / options.longest_edge, turn / options.angle, std::sqrt(curved / (8 * options.chord_error))});
 }
-/// Rounds up to whole segments. Errors: mesh_error for more than an edge may have.
+/// Rounds up to whole segments. Errors: mesh_error for more segments than an edge may have.
 inline std::size_t whole_segments(double segments)
 {
     constexpr std::size_t most_segments = 4096;
@@ -95,7 +96,7 @@ public:
     std::vector<of_grid> of_faces;
 
     /// Chooses the numbers by samples of the curves and of lines across the faces. Errors: mesh_error for too many
-    /// segments. Cost: that of some hundred evaluations for each face; O(faces) if segments alone are asked for.
+    /// segments. Cost: that of some hundred evaluations for each face; O(faces) if only `segments` is set.
     template <class Lattices, class Point>
     tessellation_rates(const parametric_faces& faces, Lattices& lattices, std::span<const Point> control,
                        const tessellation_options& options)
@@ -110,7 +111,7 @@ public:
             of_faces[f] = {least(faces.faces()[f].is_sub_face), least(faces.faces()[f].is_sub_face)};
         if (std::isinf(options.longest_edge) and std::isinf(options.chord_error) and std::isinf(options.angle))
             return;
-        // The faces of a list have as many sides, and parts of a side, as its number tells.
+        // The number of a list encodes the number of sides of its faces, and of parts of a side.
         const auto list_of = [](const parametric_face& face) {
             return std::size_t(2 * (face.sides - 3) + face.parts_of_side - 1);
         };
@@ -151,7 +152,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t samples = 8; // segments of a line that is looked at
+    static constexpr std::size_t samples = 8; // segments of a sampled line
 
     /// Returns the number of directions of lines across a face.
     static std::size_t lines_at_once(std::size_t sides) { return sides == 3 ? 3 : 2; }

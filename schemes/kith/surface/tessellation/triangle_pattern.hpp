@@ -18,13 +18,13 @@ namespace kith::detail {
 struct face_rates {
     std::uint32_t sides = 0, parts_of_side = 1;
     std::array<std::uint32_t, 8> of_parts{}; ///< segments of the curves around the face
-    std::uint32_t u = 1, v = 1;              ///< segments of the grid inside; of a triangle both are the same
+    std::uint32_t u = 1, v = 1;              ///< segments of the grid inside; both are the same in a triangle
 
     auto operator<=>(const face_rates&) const = default;
 };
 
-/// The triangles of a face, in numbers of its own. Inside lies a grid, or a lattice; strips of triangles join it with
-/// the vertices on the sides, of which each side has any number. So faces that share a side fit together.
+/// The triangles of a face, in numbers of its own. A grid, or a lattice, lies inside. Strips of triangles join it with
+/// the vertices on the sides; each side may have any number of these. So faces that share a side fit together.
 ///
 /// Vertices on the sides come first, counter-clockwise, then those inside. Half-edge b is the segment that leaves
 /// vertex b of the sides. Then come both half-edges of each edge inside.
@@ -32,7 +32,7 @@ class triangle_pattern {
 public:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-    /// Cost: O(triangles).
+    /// Makes the pattern of a face with these rates. Cost: O(triangles).
     explicit triangle_pattern(const face_rates& rates) : rates_(rates)
     {
         std::uint32_t most_segments = 1;
@@ -61,12 +61,12 @@ public:
 
     [[nodiscard]] const face_rates& rates() const { return rates_; }
     [[nodiscard]] std::size_t triangles() const { return corner_vertex_.size() / 3; }
-    /// Returns the number of triangles at the begin that have no vertex on a side.
+    /// Returns the number of triangles, which come first, that have no vertex on a side.
     [[nodiscard]] std::size_t triangles_inside() const { return triangles_inside_; }
     [[nodiscard]] std::size_t vertices_on_sides() const { return boundary_; }
     [[nodiscard]] std::size_t vertices_inside() const { return vertex_corner_.size(); }
     [[nodiscard]] std::size_t edges_inside() const { return (halfedge_corner_.size() - boundary_) / 2; }
-    /// Returns the vertex at which a part of the sides begins; that of their number is the end.
+    /// Returns the vertex at which a part of the sides begins; the index after the last part gives the end.
     [[nodiscard]] std::size_t begin_of_part(std::size_t part) const { return begins_[part]; }
 
     /// Returns u and v of the vertices.
@@ -149,7 +149,7 @@ private:
         join(side(1), right, [](double u, double v) { return v + (1 - u - v) / 2; });
         join(side(2), left, [](double u, double v) { return 1 - v - u / 2; });
     }
-    /// Joins a side and the row of inner vertices beside it, both in the order of their places along the side.
+    /// Joins a side and the row of inner vertices beside it, both in their order along the side.
     template <class Along>
     void join(const row& side, const row& inner, const Along& along_side)
     {
@@ -171,14 +171,14 @@ private:
 
     /// Returns the next corner of a triangle.
     static number after(number corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-    /// Numbers the half-edges: corners that look at each other have those of one edge.
+    /// Numbers the half-edges: corners across from each other have the two half-edges of one edge.
     void pair_corners()
     {
         const number corners = number(corner_vertex_.size());
         vertex_corner_.assign(parameters_.size() - boundary_, 0);
         corner_halfedge_.assign(corners, none);
         halfedge_corner_.assign(boundary_, none);
-        row newest(parameters_.size(), none), older(corners, none); // corners that look for another, of each vertex
+        row newest(parameters_.size(), none), older(corners, none); // lists of corners without a partner, by vertex
         for (number c = 0; c < corners; ++c) {
             const number from = corner_vertex_[c], to = corner_vertex_[after(c)];
             if (from >= boundary_)
@@ -207,7 +207,7 @@ private:
     }
 
     face_rates rates_;
-    number boundary_ = 0; // vertices on the sides
+    number boundary_ = 0; // number of vertices on the sides
     std::array<number, 9> begins_{};
     std::size_t triangles_inside_ = 0;
     std::vector<std::array<double, 2>> parameters_;
