@@ -15,7 +15,7 @@
 
 namespace kith {
 
-/// Marks the vertices of a tile around whose faces all faces within `rings` rings are in the tile.
+/// Marks the vertices of a tile for which the tile has all faces within `rings` rings around the faces at the vertex.
 /// Precondition: the tile has its edges. Cost: O(corners) per ring.
 template <tile_like Tile>
 std::vector<unsigned char> vertices_with_rings(const Tile& part, int rings)
@@ -37,7 +37,7 @@ std::vector<unsigned char> vertices_with_rings(const Tile& part, int rings)
 
 namespace detail {
 
-/// Takes the limits away that masks have formed without all of their points.
+/// Removes the limits that masks have formed without all of their points.
 template <tile_like Tile, scheme Scheme, class Limits>
 Limits with_all_points(const Tile& part, const Scheme& scheme, Limits limits)
 {
@@ -57,38 +57,38 @@ auto level_of_tile(const Tile& part)
 
 } // namespace detail
 
-/// Returns the limits of the vertices of a tile by closed masks, with the bits that limit_positions gives for the whole
-/// level. A vertex has none where the whole level has none, and where the mask asks about faces that are not in the
-/// tile; a tile with one ring of ghosts more than limit_rules::rings has those of all its own faces. `scheme` is that
-/// of the tile. Errors: mesh_error for a tile without edges.
+/// Returns the limit positions of the vertices of a tile by closed masks, with the bits that limit_positions gives for
+/// the whole level. `scheme` is the scheme of the tile. A vertex has no limit where the whole level has none, or where
+/// the mask needs faces that are not in the tile. A tile with one ring of ghosts more than limit_rules::rings has the
+/// limits of all its own faces. Errors: mesh_error for a tile without edges.
 template <tile_like Tile, scheme Scheme>
 auto limit_positions(const Tile& part, const Scheme& scheme)
 {
     return detail::with_all_points(part, scheme, limit_positions(detail::level_of_tile(part), scheme));
 }
-/// Same as limit_positions, but for unit normals.
+/// Returns the limit normals of the vertices of a tile, of unit length, under the conditions of limit_positions.
 template <tile_like Tile, scheme Scheme>
 auto limit_normals(const Tile& part, const Scheme& scheme)
 {
     return detail::with_all_points(part, scheme, limit_normals(detail::level_of_tile(part), scheme));
 }
-/// Same as limit_positions, but for values of the vertices of the tile.
+/// Returns the limits of values at the vertices of a tile, under the conditions of limit_positions.
 template <tile_like Tile, scheme Scheme, affine_value T>
 auto limit_values(const Tile& part, const Scheme& scheme, std::span<const T> values)
 {
     return detail::with_all_points(part, scheme, limit_values(detail::level_of_tile(part), scheme, values));
 }
 
-/// The limits of the vertices of a tile's own faces.
+/// The limits of the vertices of the faces that a tile owns.
 template <class Point>
 struct tile_limits {
-    limit_surface<Point> surface;        ///< other vertices are where they were, and have no normals
-    std::vector<unsigned char> is_known; ///< per vertex, whether an own face has it
+    limit_surface<Point> surface;        ///< other vertices are unchanged and have no normals
+    std::vector<unsigned char> is_known; ///< per vertex: 1 if it belongs to an owned face, else 0
 };
 
 /// Returns the limits of the vertices of the faces that a tile owns, with the bits that limit_surface_of gives for the
-/// whole level. Errors: mesh_error for a tile with fewer rings of ghosts than rings_for_limits says, and as
-/// limit_surface_of.
+/// whole level. Errors: mesh_error for a tile with fewer rings of ghosts than rings_for_limits says, and the errors of
+/// limit_surface_of for a mesh.
 template <tile_like Tile, searchable_scheme Scheme>
 tile_limits<typename Tile::point_type> limit_surface_of(const Tile& part, const Scheme& scheme)
 {

@@ -13,10 +13,11 @@
 
 namespace kith {
 
-/// Connected parts with short borders, by METIS (Karypis & Kumar 1998, multilevel k-way): the graph of faces that share
-/// an edge, weighted by corners, since a polygon makes a child per corner. Its random numbers are seeded, so that the
-/// same METIS gives the same partition. Parts may be empty. What METIS cannot take is cut into blocks: graphs whose
-/// arrays its 32-bit index cannot number, and parts of less than two faces.
+/// Returns connected parts with short borders, by METIS (Karypis & Kumar 1998, multilevel k-way). The graph joins faces
+/// that share an edge. A face weighs as many units as it has corners, since a polygon makes a child per corner. The
+/// random numbers are seeded, so that one version of METIS always gives the same partition. Parts may be empty. Two
+/// cases are cut by block_partition instead: graphs whose arrays the 32-bit index of METIS cannot number, and parts of
+/// fewer than two faces.
 /// Errors: mesh_error for a mesh of face-vertex lists only, and when METIS reports one. Cost: about 150 bytes per face.
 template <class Point, std::unsigned_integral Index>
 partition metis_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)

@@ -32,12 +32,12 @@
 
 namespace kith::mpi {
 
-/// A control mesh that lies on rank 0, refined on all ranks level by level, for schemes whose reach over many levels is
-/// not known: after each step the tiles fetch the ghosts that the next one needs. What has to be known of the scheme
-/// is one number, the rings of faces around a tile that a step needs so that one ring around its children is right,
-/// too. Bits and numbers are those of `refine`. All tiles of this rank are in memory.
+/// A control mesh that lies on rank 0 or in tiles on all ranks and is refined on all ranks level by level. It serves
+/// schemes whose reach over many levels is not known: after each step the tiles fetch the ghosts that the next step
+/// needs. The caller gives one number: the rings of faces around a tile that a step needs so that one ring around its
+/// children is correct, too. Bits and numbers are those of `refine`. All tiles of a rank are in memory.
 ///
-/// The scheme declares its edges and takes meshes with a boundary; its state, such as creases, can be joined
+/// The scheme declares its edges and takes meshes with a boundary. Its state, such as creases, can be joined
 /// (level_state).
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class exchanging_refinement {
@@ -50,8 +50,8 @@ public:
     using numbering_type = global_numbering<columns_type<Scheme>>;
     using kept_type = kept_tile<tile_type, Scheme>;
 
-    /// Collective. `mesh` and `parts` are read on rank 0 only, and the state (creases) of the scheme, whose options and
-    /// `rings_per_step` > 0 are the same on all ranks. Errors:
+    /// Cuts tiles out of a mesh on rank 0. `mesh`, `parts` and the state (creases) of the scheme are read on rank 0
+    /// only. The options of the scheme and `rings_per_step` > 0 are the same on all ranks. Collective. Errors:
     /// phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only and for a partition of
     /// another mesh.
     exchanging_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
@@ -87,10 +87,10 @@ public:
         });
     }
 
-    /// Takes tiles of level 0, all of one generation, such as those of read_tiles. Each has one ring of ghosts or
-    /// more; what is missing of `rings_per_step` rings is fetched from the owners. State of the scheme (creases) is
-    /// that of the whole mesh, by its numbers, as far as the tiles of this rank go. Collective. Errors: phase_error for
-    /// what the scheme cannot take, and for a tile without a complete ring.
+    /// Takes tiles of level 0, all of one generation, such as those of read_tiles. Each has at least one ring of
+    /// ghosts; if it has fewer than `rings_per_step` rings, the missing ones are fetched from the owners. The state of
+    /// the scheme (creases) is that of the whole mesh, in its numbers, as far as the tiles of this rank reach.
+    /// Collective. Errors: phase_error for a mesh that the scheme cannot take, and for a tile without a complete ring.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const global_counts& counts,
                           const Scheme& scheme, int rings_per_step)
         : exchanging_refinement(comm, scheme, rings_per_step)
@@ -110,17 +110,17 @@ public:
         grow_ghosts(comm, std::span(tiles_), std::span(schemes_), rings_);
     }
 
-    /// Local.
+    /// Returns the number of the level that the tiles are on. Local.
     [[nodiscard]] int level() const { return level_; }
-    /// Local. Of the whole mesh on this level.
+    /// Returns the counts of the whole mesh on this level. Local.
     [[nodiscard]] const global_counts& counts() const { return counts_.back(); }
-    /// Local. How this level is numbered; its `origin` leads to the level before. Precondition: level() > 0.
+    /// Returns the numbering of this level; its `origin` leads to the level before. Local. Precondition: level() > 0.
     [[nodiscard]] const numbering_type& numbering() const { return steps_.back(); }
-    /// Local. The tiles of this rank on this level, with their edges and one ring of ghosts (on level 0 more).
+    /// Returns the tiles of this rank on this level, with their edges and one ring of ghosts (on level 0 more). Local.
     [[nodiscard]] std::span<const numbered_tile<tile_type>> tiles() const { return tiles_; }
-    /// Local. Of each of these tiles the scheme, with its state (fields, creases) of this level.
+    /// Returns the scheme of each of these tiles, with its state (fields, creases) of this level. Local.
     [[nodiscard]] std::span<const Scheme> schemes() const { return schemes_; }
-    /// Local. Both, taken out of a refinement that is given up: std::move(refinement).take_tiles().
+    /// Moves tiles and schemes out of a refinement that is no longer needed: std::move(refinement).take_tiles(). Local.
     [[nodiscard]] std::vector<kept_type> take_tiles() &&
     {
         std::vector<kept_type> result;
@@ -129,9 +129,9 @@ public:
         return result;
     }
 
-    /// Collective. Who descends from whom, over all levels so far and by the numbers of the whole mesh: the same on all
-    /// ranks, and local from then on, wherever the tiles are moved. Errors: mpi::error. Cost: runs_of_ranks, of which a
-    /// mesh of one degree has one; O(boundary) memory.
+    /// Returns the ancestors and descendants over all levels so far, in the numbers of the whole mesh. The result is
+    /// the same on all ranks; all use of it is local, wherever the tiles are moved. Collective. Errors: mpi::error.
+    /// Cost: that of runs_of_ranks (a mesh of one face degree has one run), and O(boundary) memory.
     [[nodiscard]] global_lineage<columns_type<Scheme>> lineage()
     {
         const auto runs = runs_of_ranks(comm_, runs_);
@@ -139,17 +139,17 @@ public:
             comm_, [&] { return global_lineage<columns_type<Scheme>>(counts_, steps_, corners_, runs.joined()); });
     }
 
-    /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which
-    /// is so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind
-    /// shows.
-    /// Cost: that of the step and, in messages, of grow_ghosts (not on level 0), of telling all ranks what lies at the
-    /// boundary, and of a field_exchange that compares.
+    /// Makes one step. Collective. Errors: phase_error as `refine`, and when tiles disagree about an element that two
+    /// of them have. They disagree when `rings_per_step` is too small; the levels are then unusable. Not every such
+    /// mistake is found.
+    /// Cost: that of the step and, in messages, of grow_ghosts (not on level 0); of sending the facts at the boundary
+    /// to all ranks; and of a field_exchange that compares.
     void refine()
     {
         refine([](const kept_type&) {});
     }
-    /// Collective. The same, and hands over the tiles of the level that is left, each with its scheme (creases, fields)
-    /// as it is there: keep(kept_tile), which may move it away. They have the ghosts that the step needed.
+    /// Makes one step and hands over the tiles of the level before it, each with its scheme (creases, fields) on that
+    /// level: keep(kept_tile), which may move it away. The tiles have the ghosts that the step needed. Collective.
     template <std::invocable<kept_type> Keep>
     void refine(const Keep& keep)
     {
@@ -202,7 +202,8 @@ private:
                                  " rings per step; a step needs 1 or more");
         });
     }
-    /// What ranks say to all stands between phases: one that fails must not leave others waiting.
+    /// Numbers the elements of the next step. The messages to all ranks stand between the phases, so that no rank waits
+    /// for one whose phase has failed.
     void number()
     {
         std::array<std::vector<boundary_fact>, 3> facts;
@@ -257,10 +258,10 @@ private:
     Scheme scheme_; // without elements
     int rings_;
     int level_ = 0, generation_ = 0;
-    control_runs runs_;                 // what this rank knows of the control mesh
-    std::vector<global_counts> counts_; // of each level
+    control_runs runs_;                 // the runs of the control mesh that this rank knows
+    std::vector<global_counts> counts_; // per level
     std::vector<numbering_type> steps_; // to the next one
-    std::vector<corners_at_vertices> corners_ = std::vector<corners_at_vertices>(1); // of each level
+    std::vector<corners_at_vertices> corners_ = std::vector<corners_at_vertices>(1); // per level
     std::vector<numbered_tile<tile_type>> tiles_;
     std::vector<Scheme> schemes_; // of the tiles
 };

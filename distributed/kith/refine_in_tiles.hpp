@@ -15,15 +15,15 @@
 
 namespace kith {
 
-/// A control mesh refined part by part on one machine: only those tiles are in memory that are being refined, so a
-/// surface may be larger than the memory. The bits and the ids are those of `refine`.
+/// A control mesh that is refined part by part on one machine. Only the tiles that are being refined are in memory, so
+/// that a surface may be larger than the memory. The bits and the numbers are those of `refine`.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class tiled_refinement {
 public:
-    /// The mesh must outlive this object. `last_rings`: of ghosts on the last level, where it keeps its edges. Errors:
-    /// mesh_error for everything that `refine` refuses but for lack of memory, for a mesh of face-vertex lists only,
-    /// for a partition of another mesh, and for more elements than 64 bits can number.
-    /// Cost: that of the control mesh, and of refining its boundary.
+    /// Prepares the refinement of `mesh`, which must outlive this object. `last_rings` is the number of rings of ghosts
+    /// on the last level, for tiles that keep their edges there. Errors: mesh_error for everything that `refine`
+    /// refuses except lack of memory; for a mesh of face-vertex lists only; for a partition of another mesh; and for
+    /// more elements than 64 bits can number. Cost: that of the control mesh, and of refining its boundary.
     tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts,
                      int last_rings = 0)
         : cutter_(checked(mesh, scheme, levels), scheme, parts.part_of, parts.parts)
@@ -31,30 +31,30 @@ public:
     {
         detail::require_named_state<Scheme>();
     }
-    /// Refused: such a mesh would be gone when its tiles are cut.
+    /// Rejects a temporary mesh, which would be destroyed before its tiles are cut.
     tiled_refinement(const basic_mesh<Point, Index>&& mesh, const Scheme& scheme, int levels, const partition& parts,
                      int last_rings = 0) = delete;
 
-    /// The numbering of all levels.
+    /// Returns the numbering of all levels.
     [[nodiscard]] const global_levels<Scheme>& whole() const { return whole_; }
     [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
 
-    /// Who descends from whom, over all levels and by the numbers of the whole mesh. Cost: O(control mesh).
+    /// Returns the ancestors and descendants over all levels, in the numbers of the whole mesh. Cost: O(control mesh).
     [[nodiscard]] auto lineage() const { return whole_.lineage(cutter_.runs()); }
 
-    /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own
-    /// (see for_each_at_once). Errors: as `refine`.
+    /// Returns the last level of one part, with its edges if `last` is connect::everything. Several threads may call
+    /// this at once, each for a part of its own (see for_each_at_once). Errors: as `refine`.
     [[nodiscard]] tile<Point, Index> refine(std::size_t part, connect last = connect::faces)
     {
         phase_seconds seconds;
         return refine(part, last, seconds);
     }
-    /// The same, which tells how long it took to cut the part and to refine it.
+    /// Returns the same tile and adds the time to cut the part and to refine it to `seconds`.
     [[nodiscard]] tile<Point, Index> refine(std::size_t part, connect last, phase_seconds& seconds)
     {
         return std::move(refine_job(part, last, seconds).part);
     }
-    /// The same with the scheme for the next level, if this one keeps its edges.
+    /// Returns the same tile with the scheme for the next level, if the tile keeps its edges.
     [[nodiscard]] tile_job<tile<Point, Index>, Scheme> refine_job(std::size_t part, connect last,
                                                                   phase_seconds& seconds)
     {
@@ -63,9 +63,9 @@ public:
         kith::refine(job, whole_, last, [](const auto&) {});
         return job;
     }
-    /// Hands over all levels of one part, each with its scheme (creases, fields) as it is there, from level 0 to the
-    /// last: keep(kept_tile), which may move it away. All have their edges and the ghosts that later levels need.
-    /// Errors: as `refine`. Cost: as refine_job; two levels are in memory, and those that are kept.
+    /// Hands over all levels of one part, from level 0 to the last, each with its scheme (creases, fields) on that
+    /// level: keep(kept_tile), which may move it away. All levels have their edges and the ghosts that later levels
+    /// need. Errors: as `refine`. Cost: as refine_job; two levels are in memory, and the levels that `keep` stores.
     template <std::invocable<kept_tile<tile<Point, Index>, Scheme>> Keep>
     void refine_levels(std::size_t part, const Keep& keep)
     {
@@ -98,7 +98,7 @@ private:
     global_levels<Scheme> whole_;
 };
 
-// A scheme without reach is refused in one sentence.
+// Deduces for a scheme without reach a type that refuses it in one sentence.
 template <class Point, std::unsigned_integral Index, scheme Scheme, class... Rest>
 tiled_refinement(const basic_mesh<Point, Index>&, const Scheme&, int, const partition&, Rest...)
     -> tiled_refinement<Point, Index, detail::refused_in_tiles<Scheme>>;

@@ -35,22 +35,21 @@
 
 namespace kith::mpi {
 
-/// A control mesh refined in tiles on all ranks; it lies on rank 0, or its tiles are on their ranks already. Refinement
-/// itself sends nothing.
+/// A control mesh that is refined in tiles on all ranks. The mesh lies on rank 0, or its tiles already lie on their
+/// ranks. The refinement itself sends nothing.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class rank_refinement {
 public:
     using tile_type = tile<Point, Index>;
     using kept_type = kept_tile<tile_type, Scheme>;
 
-    /// Cuts the tiles out of `mesh`, which lies on rank 0 and must outlive this object there; `parts` is read there as
-    /// well. `scheme` has the same options on all ranks; its state of the control mesh (creases) counts on rank 0.
-    /// `last_rings`: the last level keeps its edges and so many rings of ghosts; without it only the owned faces are
-    /// kept, in half of the memory. `memory_limit`: bytes on each rank, for the tiles that it refines at once; state
-    /// and the control mesh are not counted. Collective.
-    /// Errors: phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only, for a partition
-    /// of another mesh, for counts beyond 64 bits, for options that differ between ranks, and for a tile that is too
-    /// large for the limit.
+    /// Cuts the tiles out of `mesh`. Only rank 0 reads `mesh`, `parts` and the state (creases) of `scheme`; `mesh` must
+    /// outlive this object there. All ranks give the same options. With `last_rings` the last level keeps its edges and
+    /// `last_rings` rings of ghosts; without it only the owned faces are kept, in half of the memory. `memory_limit` is
+    /// in bytes per rank, for the tiles refined at once, without state and control mesh. Collective.
+    /// Errors: phase_error for everything that `refine` refuses; for a mesh of face-vertex lists only; for a partition
+    /// of another mesh; for counts beyond 64 bits; for options that differ between ranks; for a tile too large for the
+    /// limit.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                     const partition& parts, std::optional<int> last_rings = std::nullopt,
                     std::uint64_t memory_limit = no_limit)
@@ -81,12 +80,12 @@ public:
         });
     }
 
-    /// Takes tiles of level 0 that lie on their ranks already, such as those of read_tiles. Each has one ring of
-    /// ghosts or more; what is missing of ring_schedule(scheme, levels, last_rings)[0] rings is fetched.
-    /// State of the scheme (creases) is that of the whole mesh, as far as the tiles of this rank go. Collective.
-    /// Errors: phase_error as above, for tiles that are not numbered from 0 on, each once, for one without a complete
-    /// ring, for missing rings of a state without add_part, and for schemes whose numbers need more than a tile knows:
-    /// of the boundary, if the mesh has one, and of marked edges (4-8).
+    /// Takes tiles of level 0 that already lie on their ranks, such as those of read_tiles, with at least one ring of
+    /// ghosts. Missing rings of ring_schedule(scheme, levels, last_rings)[0] are fetched. State (creases) is that of
+    /// the whole mesh, as far as the tiles of this rank reach. Collective. Errors: phase_error as above; for tiles not
+    /// numbered from 0 on, each once; for one without a complete ring; for missing rings of a state without add_part;
+    /// and for schemes whose numbers need more than tiles know: the boundary, if the mesh has one, and marked edges
+    /// (4-8).
     rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const global_counts& counts,
                     const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt,
                     std::uint64_t memory_limit = no_limit)
@@ -95,8 +94,8 @@ public:
         hold(std::move(tiles), counts, levels, last_rings);
     }
 
-    /// Same as above, but each tile has its scheme, whose state (fields, creases) is numbered as the tile is; of
-    /// `scheme` the options count. Collective.
+    /// Takes tiles as above, each with its scheme, whose state (fields, creases) has the numbers of the tile. Only the
+    /// options of `scheme` are used. Collective.
     rank_refinement(communicator& comm, std::vector<kept_type> tiles, const global_counts& counts, const Scheme& scheme,
                     int levels, std::optional<int> last_rings = std::nullopt, std::uint64_t memory_limit = no_limit)
         : rank_refinement(comm, scheme, levels, last_rings, memory_limit)
@@ -104,13 +103,13 @@ public:
         hold(std::move(tiles), counts, levels, last_rings);
     }
 
-    /// The numbering of all levels. Local.
+    /// Returns the numbering of all levels. Local.
     [[nodiscard]] const global_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
-    /// Collective. Who descends from whom, over all levels and by the numbers of the whole mesh: the same on all ranks,
-    /// and local from then on, wherever the tiles are moved. Errors: phase_error for lack of memory. Cost:
-    /// runs_of_ranks, of which a mesh of one degree has one; O(boundary) memory.
+    /// Returns the ancestors and descendants over all levels, in the numbers of the whole mesh, the same on all ranks.
+    /// All use of them is local, wherever tiles are moved. Collective. Errors: phase_error for lack of memory. Cost:
+    /// that of runs_of_ranks (a mesh of one face degree has one run), and O(boundary) memory.
     [[nodiscard]] global_lineage<columns_type<Scheme>> lineage()
     {
         const auto runs = collective_phase(comm_, [&] {
@@ -120,10 +119,10 @@ public:
         return collective_phase(comm_, [&] { return whole_->lineage(all); });
     }
 
-    /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
-    /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that
-    /// lay on their ranks are refined there, once. A rank with several threads refines up to `most_at_once` of its
-    /// tiles at once (tiles_at_once), and calls `use` on these threads. Errors: phase_error, of the first that has one.
+    /// Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which `use` may
+    /// move away. A third argument is the scheme for the next level, if edges are kept. Tiles that already lay on their
+    /// ranks are refined there, once. A rank refines, and calls `use`, on up to `most_at_once` threads (tiles_at_once).
+    /// Collective. Errors: phase_error, of the lowest rank that has one.
     template <class Use>
     work_done refine(sharing how, const Use& use, std::size_t most_at_once = 1)
     {
@@ -134,8 +133,8 @@ public:
         });
         return refine(how, all, use, most_at_once);
     }
-    /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks. Errors: as above,
-    /// and phase_error for a number that no tile has, and one that lay on its rank and has been refined.
+    /// Refines the tiles with these numbers, which are the same on all ranks. Collective. Errors: as above, and
+    /// phase_error for a number without a tile, and for a tile that lay on its rank and has been refined.
     template <class Use>
     work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use,
                      std::size_t most_at_once = 1)
@@ -162,10 +161,10 @@ public:
         return done;
     }
 
-    /// Collective. Refines all tiles as above and hands over each level of each, from level 0 to the last, with its
-    /// scheme (creases, fields) as it is there: keep(kept_tile), which may move it away. All have their edges and the
-    /// ghosts that later levels need. Two levels of a tile are in memory, and those that are kept.
-    /// Errors: as above, and phase_error where `last_rings` was left out: then the last level has no scheme.
+    /// Refines all tiles and hands over each level, from 0 to the last, with its scheme (creases, fields):
+    /// keep(kept_tile), which may move it away. All have their edges and the ghosts that later levels need. Two levels
+    /// of a tile are in memory, and the levels that `keep` stores. Collective. Errors: as above, and phase_error
+    /// without `last_rings`, as the last level then has no scheme.
     template <std::invocable<kept_type> Keep>
     work_done refine_levels(sharing how, const Keep& keep, std::size_t most_at_once = 1)
     {
@@ -176,8 +175,8 @@ public:
         });
         return refine(how, keep, most_at_once);
     }
-    /// Refines all tiles and returns all levels of those of this rank. Collective. Errors: as above, and phase_error if
-    /// they need more than the memory limit.
+    /// Refines all tiles and returns all levels of the tiles of this rank. Collective. Errors: as above, and
+    /// phase_error if the levels need more than the memory limit.
     [[nodiscard]] std::vector<kept_type> keep_levels(sharing how)
     {
         collective_phase(comm_,
@@ -246,11 +245,11 @@ private:
         const phase_timer timer(seconds_[phase::cut]);
         return pack(cutter_->cut(number, whole_->rings(0)));
     }
-    /// Refines the tiles of this rank, which speaks to no other meanwhile.
+    /// Refines the tiles of this rank, without communication.
     template <class Refine>
     void refine_here(const Refine& refine_tiles)
     {
-        MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
+        MPI_Pcontrol(1); // for profilers: no communication from here to the next call
         const std::string problem = problem_of(refine_tiles, no_memory);
         MPI_Pcontrol(0);
         comm_.agree(problem);
@@ -283,13 +282,13 @@ private:
     std::optional<held_tiles<tile_type, Scheme>> held_;
     std::optional<global_levels<Scheme>> whole_;
     std::optional<tile_memory<Scheme>> memory_;
-    tile_size largest_{}; // of all tiles, or of those that lay on this rank
+    tile_size largest_{}; // of all tiles, or of the tiles that already lay on this rank
     std::uint64_t limit_;
     std::uint64_t tiles_ = 0;
-    phase_seconds seconds_; // to cut
+    phase_seconds seconds_; // to cut tiles
 };
 
-// A scheme without reach is refused in one sentence.
+// Deduces for a scheme without reach a type that refuses it in one sentence.
 template <class Point, std::unsigned_integral Index, scheme Scheme, class... Rest>
 rank_refinement(communicator&, const basic_mesh<Point, Index>&, const Scheme&, int, const partition&, Rest...)
     -> rank_refinement<Point, Index, kith::detail::refused_in_tiles<Scheme>>;

@@ -19,7 +19,7 @@ namespace kith {
 
 namespace detail {
 
-/// What of a tile is not as in the whole mesh; nothing where all is.
+/// Returns the first vertex or face of a tile that differs from the whole mesh, or an empty string.
 template <tile_like Tile, class Point, std::unsigned_integral Index>
 std::string difference_in_tile(const Tile& part, const basic_mesh<Point, Index>& whole)
 {
@@ -35,12 +35,12 @@ std::string difference_in_tile(const Tile& part, const basic_mesh<Point, Index>&
 
 } // namespace detail
 
-/// Tries a scheme's word about its reach on a mesh. Each face is refined as a tile of its own with 0, 1 and 2 rings in
-/// the end, and all that the tile has must be what refining the whole mesh makes. `refine` of many faces, `evaluator`,
-/// tiles and ranks believe that word. A mesh tells more that has all that the scheme tells apart: a boundary,
-/// extraordinary vertices, creases.
+/// Throws mesh_error if the reach that a scheme declares in its traits is too small on this mesh. `refine` of many
+/// faces, `evaluator`, tiles and ranks rely on it. Each face is refined as a tile of its own with 0, 1 and 2 rings at
+/// the end; all points and faces of the tile must equal those of the refined whole mesh. The test covers more if the
+/// mesh has everything that the scheme distinguishes: a boundary, extraordinary vertices, creases.
 /// Errors: mesh_error that names the element that differs; those of `validate` and `refine`. Cost: that of refining
-/// each face with its rings.
+/// each face with its rings, for each level and each number of rings.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 void require_reach(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels = 2)
 {

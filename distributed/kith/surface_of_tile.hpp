@@ -11,10 +11,11 @@
 
 namespace kith {
 
-/// Locates places in faces that a tile owns, in the numbers of the tile, ready to be evaluated for values at its
-/// vertices. Points and derivatives have the bits of the whole level. `scheme` is that of the tile. Errors: mesh_error,
-/// with the number of the place, for a face that the tile does not own or has too few rings of ghosts around, and as
-/// `surface_locator`. Cost: that of a `surface_locator` of the tile; O(corners) per ring.
+/// Locates places in faces that a tile owns, given in the numbers of the tile. The result evaluates values at the
+/// vertices of the tile. Points and derivatives have the bits of the whole level. `scheme` is the scheme of the tile.
+/// Errors: mesh_error, with the number of the place, for a face that the tile does not own; for a face with too few
+/// rings of ghosts around it; and as `surface_locator`. Cost: that of a `surface_locator` of the tile; O(corners) per
+/// ring.
 template <tile_like Tile, parametric_scheme Scheme>
 located_places locate_in_tile(const Tile& part, const Scheme& scheme, std::span<const surface_place> places)
 {

@@ -15,10 +15,10 @@
 
 namespace kith::mpi {
 
-/// Messages between ranks that know how long they are, and the bytes they carry. Move only.
+/// An exchange of messages of known sizes between all ranks, with the bytes that they carry. Move only.
 class pending_exchange {
 public:
-    /// Prepares them, with all memory that they need. `sizes[r]` bytes will come from rank r. Local.
+    /// Prepares the messages, with all memory that they need. Rank r will send `sizes[r]` bytes. Local.
     pending_exchange(std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes, int self)
         : sent_(std::move(to)), received_(sizes.size())
     {
@@ -32,7 +32,7 @@ public:
     pending_exchange& operator=(pending_exchange&&) = delete;
     ~pending_exchange() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
 
-    /// Starts them all; the message of a rank to itself is handed over. Local. Errors: mpi::error.
+    /// Starts all messages; the message of a rank to itself is moved. Local. Errors: mpi::error.
     void start(communicator& comm)
     {
         const auto self = std::size_t(comm.rank());
@@ -44,8 +44,8 @@ public:
                 if (r != self)
                     comm.start_send(sent_[r], int(r), requests_);
         } catch (...) {
-            // This rank must not wait for what others will never send. What has begun still writes to its buffers,
-            // which stay until the job ends.
+            // This rank must not wait for messages that others will never send. Those that have begun still write to
+            // their buffers, which stay until the job ends.
             static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
             requests_.clear();
             throw;
@@ -53,7 +53,7 @@ public:
         received_[self] = std::move(sent_[self]);
     }
 
-    /// Waits, and returns what has come, by rank. Errors: mpi::error.
+    /// Waits, and returns the received bytes by rank. Errors: mpi::error.
     std::vector<std::vector<std::byte>> finish()
     {
         auto requests = std::exchange(requests_, {});
@@ -86,8 +86,8 @@ std::vector<T> values_in(const std::vector<std::byte>& bytes)
 
 } // namespace detail
 
-/// Makes lists, one for each rank, by make(), sends list r to rank r, and returns the list that came from each rank.
-/// A list is a std::vector of std::byte or of another type that can be copied as bytes. Collective.
+/// Makes lists, one for each rank, by make(), sends list r to rank r, and returns the list that came from each rank. A
+/// list is a std::vector of std::byte or of another type that can be copied as bytes. Collective.
 /// Errors: phase_error for an exception of `make` and for lack of memory, on all ranks; mpi::error.
 /// Cost: three agreements, a number to each rank, and the messages that are not empty.
 template <class Make>
@@ -122,14 +122,14 @@ auto all_to_all(communicator& comm, const Make& make)
             return result;
         });
 }
-/// Same for lists that are there.
+/// Sends list r of `to` to rank r and returns the list that came from each rank. Collective. Errors and cost: as above.
 template <class T>
 std::vector<std::vector<T>> all_to_all(communicator& comm, std::vector<std::vector<T>> to)
 {
     return all_to_all(comm, [&]() -> std::vector<std::vector<T>>& { return to; });
 }
 
-/// Returns what all ranks have, one rank after the other, on all ranks. Collective.
+/// Returns the values of all ranks, in the order of the ranks, on all ranks. Collective.
 /// Errors: phase_error for lack of memory; mpi::error.
 template <class T>
     requires std::is_trivially_copyable_v<T>

@@ -16,9 +16,9 @@
 
 namespace kith::mpi {
 
-/// Runs `phase` and returns its error message, or an empty string. Lack of memory is reported as `lack_of_memory`, in
-/// two words where even this text has no room. Local if `phase` is. Errors: mpi::error, since other ranks are then out
-/// of reach.
+/// Runs `phase` and returns its error message, or an empty string. Lack of memory is reported as `lack_of_memory`, or
+/// in two words if there is no memory for this text. Local if `phase` is. Errors: mpi::error, since other ranks then
+/// cannot be reached.
 template <class Phase>
 std::string problem_of(const Phase& phase, const char* lack_of_memory = "there is not enough memory")
 {
@@ -41,7 +41,7 @@ std::string problem_of(const Phase& phase, const char* lack_of_memory = "there i
     return {};
 }
 
-/// Runs one phase on every rank and lets all ranks agree on its outcome; returns what `phase` returns. Collective.
+/// Runs one phase on every rank and lets all ranks agree on its outcome; returns the result of `phase`. Collective.
 /// Errors: phase_error on all ranks if `phase` throws on one.
 template <class Phase>
 auto collective_phase(communicator& comm, const Phase& phase)
@@ -55,8 +55,8 @@ auto collective_phase(communicator& comm, const Phase& phase)
     }
 }
 
-/// Makes sure that a number is the same on all ranks; `what` names it in the message, after `path` if there is one.
-/// Collective. Errors: phase_error.
+/// Throws phase_error on all ranks unless a number is the same on all ranks. `what` names it in the message, after
+/// `path` if there is one. Collective.
 inline void require_same_on_ranks(communicator& comm, std::uint64_t number, const char* what,
                                   const std::string& path = {})
 {

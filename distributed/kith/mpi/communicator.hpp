@@ -21,18 +21,18 @@
 
 namespace kith::mpi {
 
-/// Of the messages between two ranks that a rank has sent and received through a communicator of kith, their sizes
-/// included. What all ranks tell each other at once (broadcast, sum, to_each, ...) is not counted.
+/// The messages between two ranks that a rank has sent and received through a communicator of kith, including those
+/// with sizes. Collective calls (broadcast, sum, to_each, ...) are not counted.
 struct traffic {
     std::uint64_t bytes_sent = 0, messages_sent = 0, bytes_received = 0, messages_received = 0;
 };
 
-/// A communicator of our own, so that our messages meet no others, which reports errors instead of ending the program.
-/// Move only. Local calls say so; all others are collective or need their partner.
+/// A duplicated communicator, so that messages of kith cannot meet others. It reports errors instead of ending the
+/// program. Move only. Comments of local calls say so; all other calls are collective or need a partner.
 class communicator {
 public:
-    /// Collective. Messages longer than `largest` bytes are sent in chunks: MPI 3.1 counts in int.
-    /// Precondition: 0 < largest < 2^31. Errors: mpi::error.
+    /// Duplicates `parent`. Messages longer than `largest` bytes are sent in chunks, since MPI 3.1 counts in int.
+    /// Collective. Precondition: 0 < largest < 2^31. Errors: mpi::error.
     explicit communicator(MPI_Comm parent, std::size_t largest = std::size_t(1) << 30) : largest_(largest)
     {
         detail::check(MPI_Comm_dup(parent, &comm_), "MPI_Comm_dup");
@@ -50,26 +50,26 @@ public:
     {
     }
     communicator& operator=(communicator&&) = delete;
-    /// Collective, unless an exception is on its way.
+    /// Frees the communicator. Collective, except during stack unwinding, when nothing is freed.
     ~communicator()
     {
         if (comm_ != MPI_COMM_NULL and std::uncaught_exceptions() == 0)
             MPI_Comm_free(&comm_);
     }
 
-    /// Local.
+    /// Returns the number of this rank. Local.
     [[nodiscard]] int rank() const { return rank_; }
-    /// Local.
+    /// Returns the number of ranks. Local.
     [[nodiscard]] int size() const { return size_; }
-    /// Local.
+    /// Returns true on rank 0. Local.
     [[nodiscard]] bool is_root() const { return rank_ == 0; }
-    /// Local.
+    /// Returns the traffic of this rank so far. Local.
     [[nodiscard]] const traffic& sent_and_received() const { return traffic_; }
 
-    /// Local: how long this rank has sent (phase::send) and waited for others (phase::wait).
+    /// Returns the seconds for which this rank has sent (phase::send) and waited for others (phase::wait). Local.
     [[nodiscard]] phase_seconds& seconds() { return seconds_; }
 
-    /// To one rank, which calls receive. Returns when the bytes may be changed.
+    /// Sends bytes to one rank, which calls receive. Returns when the bytes may be changed.
     void send(std::span<const std::byte> bytes, int to)
     {
         const phase_timer timer(seconds_[phase::send]);
@@ -81,8 +81,8 @@ public:
             count_sent(chunk.size());
         });
     }
-    /// Local: starts what send does; `size` is that of the bytes, and both stay where they are until `requests`, to
-    /// which this appends, have been waited for.
+    /// Starts a message as `send` does; `size` is the number of bytes. Local. The function appends to `requests`;
+    /// `size` and `bytes` must stay in place until these requests have been waited for.
     void start_message(const std::uint64_t& size, std::span<const std::byte> bytes, int to,
                        std::vector<MPI_Request>& requests)
     {
@@ -91,7 +91,8 @@ public:
         count_sent(sizeof size);
         start_send(bytes, to, bytes_tag, requests);
     }
-    /// From one rank or, for any_rank, from whoever sends first; that rank is stored then.
+    /// Receives a message of rank `from` or, for any_rank, of the first rank that sends; `from` is then set to this
+    /// rank.
     std::vector<std::byte> receive(int& from)
     {
         std::uint64_t size = 0;
@@ -116,8 +117,8 @@ public:
     }
     static constexpr int any_rank = MPI_ANY_SOURCE;
 
-    /// Local: starts a message of a size that the other side knows, which calls start_receive for it; the bytes stay
-    /// where they are until `requests`, to which this appends, have been waited for.
+    /// Starts to send (start_send) or to receive (start_receive) a message whose size both sides know. Local. The
+    /// functions append to `requests`; the bytes must stay in place until these requests have been waited for.
     void start_send(std::span<const std::byte> bytes, int to, std::vector<MPI_Request>& requests)
     {
         start_send(bytes, to, known_tag, requests);
@@ -127,7 +128,7 @@ public:
         start(MPI_Irecv, "MPI_Irecv", bytes, from, known_tag, requests, &communicator::count_received);
     }
 
-    /// Sends number r of each rank to rank r; returns those that came, by rank. Allocates nothing. Collective.
+    /// Sends number r of each rank to rank r; returns the received numbers by rank. Allocates nothing. Collective.
     [[nodiscard]] std::vector<std::uint64_t> to_each(std::vector<std::uint64_t> numbers)
     {
         detail::check(MPI_Alltoall(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), 1, MPI_UINT64_T, comm_),
@@ -135,7 +136,7 @@ public:
         return numbers;
     }
 
-    /// Returns the bytes of the root on all ranks. Collective. Errors: phase_error if a rank has no room for them.
+    /// Returns the bytes of the root on all ranks. Collective. Errors: phase_error if a rank has no memory for them.
     std::vector<std::byte> broadcast(std::vector<std::byte> bytes)
     {
         std::uint64_t size = bytes.size();
@@ -155,7 +156,7 @@ public:
         });
         return bytes;
     }
-    /// Collective: the sums (of integers, which do not depend on the order), on all ranks.
+    /// Returns the sums over all ranks. Sums of integers do not depend on the order. Collective.
     template <std::size_t N>
     [[nodiscard]] std::array<std::uint64_t, N> sum(std::array<std::uint64_t, N> values)
     {
@@ -165,7 +166,7 @@ public:
         detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
         return values;
     }
-    /// Collective: the same for as many values as all ranks have.
+    /// Returns the sums of lists, which have one length on all ranks. Collective.
     [[nodiscard]] std::vector<std::uint64_t> sum(std::vector<std::uint64_t> values)
     {
         for_each_chunk(std::span(values), [&](std::span<std::uint64_t> chunk) {
@@ -174,8 +175,8 @@ public:
         });
         return values;
     }
-    /// Collective: the least and the greatest of each, on all ranks; unlike sums of floats they do not depend on the
-    /// order.
+    /// Returns the least (minimum) or the greatest (maximum) of each value over all ranks. Unlike sums of floats they
+    /// do not depend on the order. Collective.
     template <std::size_t N>
     [[nodiscard]] std::array<double, N> minimum(std::array<double, N> values)
     {
@@ -189,8 +190,9 @@ public:
         return values;
     }
 
-    /// Throws on all ranks the problem of the lowest rank that brings one, so that an error on one rank is one message
-    /// and no hang. Collective, between phases. Errors: phase_error, whose text has 4096 bytes at most.
+    /// Throws on all ranks if some ranks have a problem: the problem of the lowest of these ranks. So an error on one
+    /// rank gives one message and no hang. Collective, between phases. Errors: phase_error, whose text has at most 4096
+    /// bytes.
     void agree(const std::string& problem);
 
 private:
@@ -221,7 +223,8 @@ private:
             (this->*count)(chunk.size());
         });
     }
-    /// The other side is sending already and cannot be told that there is no memory, so this is an error of MPI's kind.
+    /// Allocates the bytes of a message. Lack of memory is reported as mpi::error, since the sender has begun and
+    /// cannot be told.
     static std::vector<std::byte> room_for(std::uint64_t size)
     {
         try {
@@ -248,10 +251,10 @@ private:
     phase_seconds seconds_;
 };
 
-/// A problem that all ranks have heard of.
+/// A problem on one rank that has been reported to all ranks.
 struct phase_error : std::runtime_error {
     phase_error(int rank, const std::string& text) : std::runtime_error(text), rank(rank) {}
-    int rank; ///< whose problem it is
+    int rank; ///< the rank that has the problem
 };
 
 inline void communicator::agree(const std::string& problem)
@@ -262,7 +265,7 @@ inline void communicator::agree(const std::string& problem)
     detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
     if (first == std::numeric_limits<int>::max())
         return;
-    std::array<char, 4096> text{}; // a rank without memory hears of it, too
+    std::array<char, 4096> text{}; // no memory is allocated, so a rank without memory receives the text, too
     std::uint64_t size = problem.copy(text.data(), text.size());
     detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, first, comm_), "MPI_Bcast");
     detail::check(MPI_Bcast(text.data(), int(size), MPI_CHAR, first, comm_), "MPI_Bcast");

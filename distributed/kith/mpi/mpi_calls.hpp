@@ -15,7 +15,7 @@
 
 namespace kith::mpi {
 
-/// A call to MPI that failed, or a message that there is no memory for.
+/// The error of a call to MPI that failed, or of a message for which there is no memory.
 struct error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -32,9 +32,9 @@ inline void check(int code, const char* call)
     throw error(std::string(call) + ": " + std::string(text, std::size_t(length)));
 }
 
-/// Waits until `is_done()`, which lets MPI go on. Spins for a tenth of a millisecond, as most answers are near; then
-/// sleeps between two looks, an eighth of the time that has passed, a millisecond at most: MPI itself takes a whole
-/// processor to wait. Adds the time to `seconds`.
+/// Waits until `is_done()` returns true; each call lets MPI progress. It spins for a tenth of a millisecond, as most
+/// answers come soon. Then it sleeps between two calls, for an eighth of the time that has passed, at most a
+/// millisecond: MPI's own wait takes a whole processor. Adds the time to `seconds`.
 template <class IsDone>
 void wait_until(double& seconds, const IsDone& is_done)
 {

@@ -3,7 +3,7 @@
 
 #include <kith/core/base/in_library.hpp>
 
-// MPI's functions of C; its bindings for C++ of long ago would need a library of their own.
+// Only the C functions of MPI are used; its obsolete C++ bindings would need a library of their own.
 #if !defined(OMPI_SKIP_MPICXX)
 #define OMPI_SKIP_MPICXX 1
 #endif

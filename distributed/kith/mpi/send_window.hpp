@@ -13,11 +13,12 @@
 
 namespace kith::mpi {
 
-/// Sends messages to ranks that call communicator::receive, a few at a time: as many as the window is wide are under
-/// way, and the next one waits for the oldest. So what is made to be sent is never in memory as a whole.
+/// A window of messages to ranks that call communicator::receive. At most `width` messages are pending; the next one
+/// waits for the oldest. So the data to be sent are never in memory as a whole.
 class send_window {
 public:
-    /// Local. Precondition: width > 0. The communicator must outlive this object.
+    /// Takes the communicator, which must outlive this object, and the largest number of pending messages. Local.
+    /// Precondition: width > 0.
     send_window(communicator& comm, std::size_t width) : comm_(comm), width_(width) {}
     send_window(const send_window&) = delete;
     ~send_window()
@@ -26,7 +27,8 @@ public:
             MPI_Waitall(int(message->requests.size()), message->requests.data(), MPI_STATUSES_IGNORE);
     }
 
-    /// Returns at once while the window has room, else when the oldest message has gone. Errors: mpi::error.
+    /// Sends a message. Returns at once while the window has room, else when the oldest message is complete. Errors:
+    /// mpi::error.
     void send(std::vector<std::byte> bytes, int to)
     {
         if (pending_exchange_.size() == width_)
@@ -37,14 +39,14 @@ public:
         comm_.start_message(message->size, message->bytes, to, message->requests);
     }
 
-    /// Waits until all have gone. Errors: mpi::error.
+    /// Waits until all messages are complete. Errors: mpi::error.
     void finish()
     {
         while (not pending_exchange_.empty())
             wait_for_oldest();
     }
 
-    /// Local: the most bytes that were held at once.
+    /// Returns the largest number of bytes that were held at once. Local.
     [[nodiscard]] std::size_t most_bytes() const { return most_bytes_; }
 
 private:
@@ -67,7 +69,7 @@ private:
 
     communicator& comm_;
     std::size_t width_;
-    std::deque<std::unique_ptr<outgoing>> pending_exchange_; // addresses stay
+    std::deque<std::unique_ptr<outgoing>> pending_exchange_; // addresses of the elements stay valid
     std::size_t bytes_ = 0, most_bytes_ = 0;
 };
 

@@ -10,10 +10,12 @@
 
 namespace kith::mpi {
 
-/// MPI from main's beginning to its end. An exception that leaves it ends all ranks: waiting for the others would hang.
+/// A session of MPI from the beginning of main to its end. An exception that leaves it ends all ranks, since waiting
+/// for the others would hang.
 class session {
 public:
-    /// Collective. Ends all ranks where MPI does not allow threads beside the one that calls it. Errors: mpi::error.
+    /// Starts MPI. Ends all ranks if MPI does not allow threads besides the one that calls it. Collective. Errors:
+    /// mpi::error.
     session(int& count, char**& arguments)
     {
         int provided = 0;
@@ -27,7 +29,7 @@ public:
     }
     session(const session&) = delete;
     session& operator=(const session&) = delete;
-    /// Collective, unless an exception is on its way.
+    /// Ends MPI. Collective; during stack unwinding it ends all ranks instead.
     ~session()
     {
         if (std::uncaught_exceptions() > 0)
@@ -35,7 +37,7 @@ public:
         MPI_Finalize();
     }
 
-    /// Local. Ends all ranks at once.
+    /// Prints the message and ends all ranks at once. Local.
     [[noreturn]] static void abort(const std::string& message)
     {
         std::fputs((message + "\n").c_str(), stderr);
@@ -46,7 +48,7 @@ public:
     static constexpr int failure_code = 70;
 
 private:
-    /// ": " and what the exception that ends the program says, if it says something.
+    /// Returns ": " and the text of the exception that ends the program, or an empty string if there is no text.
     static std::string reason() noexcept
     {
         try {

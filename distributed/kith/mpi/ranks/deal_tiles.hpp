@@ -11,15 +11,14 @@
 
 namespace kith::mpi {
 
-/// Collective: `pack(t)` makes tile t as a message on rank 0, and tile t goes to rank t modulo ranks. Returns the
-/// messages of this rank in the order of the tiles: control faces are few. Rank 0 holds four of those for others at a
-/// time.
-/// Errors: phase_error for what pack throws.
+/// Sends tile t to rank t modulo ranks. `pack(t)` makes tile t as a message on rank 0. Returns the messages of this
+/// rank in the order of the tiles, all at once, since control faces are few. Rank 0 holds at most four messages for
+/// others at a time. Collective. Errors: phase_error for an exception of `pack`.
 template <class Pack>
 std::vector<std::vector<std::byte>> deal_tiles(communicator& comm, std::uint64_t tiles, const Pack& pack)
 {
     std::vector<std::vector<std::byte>> mine;
-    std::string problem; // the others wait for tiles, even for empty ones
+    std::string problem; // the others wait for tiles, so they get empty ones after an error
     const auto packed = [&](std::uint64_t t) {
         std::vector<std::byte> result;
         if (problem.empty())

@@ -21,15 +21,16 @@
 
 namespace kith::mpi {
 
-/// Values that users keep at the elements of a level's tiles: the owner of an element tells all tiles that see it. Who
-/// that is does not change, so it is found out once per level and kind of element; then any number of fields of any
-/// trivially copyable type go the same ways. A field is an array per tile of this rank, with a value per element.
+/// An exchange of values that users keep at the elements of a level's tiles: the owner of an element sends its value to
+/// all tiles that have the element as a ghost. These pairs are found once per level and kind of element. Then any
+/// number of fields of any trivially copyable type are exchanged between them. A field is an array per tile of this
+/// rank, with a value per element.
 class field_exchange {
 public:
-    /// Collective. `tiles` are those that lie on this rank, none or several, of one level; each has its edges
-    /// (connect::everything). Errors: phase_error when no tile owns an element that a tile sees, so that tiles are
-    /// missing.
-    /// Cost: four messages at most to each rank; O(tiles) work, messages and memory of what lies near the cuts.
+    /// Finds the owners of all ghosts. `tiles` are the tiles of one level that lie on this rank, none or several; each
+    /// has its edges (connect::everything). Collective. Errors: phase_error if no tile owns an element that a tile has,
+    /// which means that tiles are missing.
+    /// Cost: at most four messages to each rank; O(tiles) work; messages and memory for the elements near the cuts.
     template <tile_like Tile>
     field_exchange(communicator& comm, std::span<const numbered_tile<Tile>> tiles, element_kind kind) : comm_(comm)
     {
@@ -82,15 +83,15 @@ public:
         collective_phase(comm, [&] { put_sums_in_order(); });
     }
 
-    /// Starts an exchange, which goes on while this rank computes, until finish. Collective.
+    /// Starts an exchange, which goes on until `finish` while this rank computes. Collective.
     /// Errors: phase_error for fields of other sizes than the tiles, and for lack of memory.
     template <class Fields>
     [[nodiscard]] pending_exchange begin(const Fields& fields)
     {
         return start<value_of<Fields>>(fields, send_, receive_, [&](const request& r) { return at(fields, r.where); });
     }
-    /// Waits for what begin started and stores it at the ghosts of fields of the same type. Collective.
-    /// Errors: phase_error for fields of other sizes than the tiles.
+    /// Waits for the exchange that `begin` started and stores the values at the ghosts of fields of the same type.
+    /// Collective. Errors: phase_error for fields of other sizes than the tiles.
     template <class Fields>
     void finish(pending_exchange& started, Fields& fields)
     {
@@ -111,7 +112,7 @@ public:
     }
 
     /// Adds the values of ghosts to that of their owner, by `add(owner's, ghost's)`, in the order of the tiles'
-    /// numbers. So the bits do not depend on the ranks; on the tiles they do, as sums of floats must. Collective.
+    /// numbers. The bits then do not depend on the ranks, but on the tiles, as sums of floats must. Collective.
     /// Errors: as begin, and phase_error for an exception of `add`.
     template <class Fields, class Add>
     void sum_to_owners(Fields& fields, const Add& add)
@@ -127,13 +128,13 @@ public:
         });
     }
 
-    /// Local: how many values this rank sends and receives in an exchange, those to itself included.
+    /// Returns the number of values that this rank sends or receives in an exchange, including those to itself. Local.
     [[nodiscard]] std::size_t sent_values() const { return count(send_); }
     [[nodiscard]] std::size_t received_values() const { return count(receive_); }
 
 private:
     struct slot {
-        std::uint64_t tile, element; // both by their place on a rank
+        std::uint64_t tile, element; // both as indices on a rank
     };
     struct offer {
         global_id id;
@@ -145,7 +146,7 @@ private:
     };
     struct request {
         slot where;                         // on the owner's rank
-        std::uint64_t asking_tile, element; // of the ghost: the number of its tile, and its place there
+        std::uint64_t asking_tile, element; // of the ghost: the number of its tile, and its index there
     };
     static constexpr std::uint64_t no_rank = ~std::uint64_t(0);
 
@@ -173,7 +174,8 @@ private:
         return sum;
     }
 
-    /// The owned elements that a tile with so many rings of ghosts may see: those of the faces so near to a cut.
+    /// Marks the elements that a tile with `rings` rings of ghosts may share: those of faces within rings + 1 rings of
+    /// a cut.
     template <tile_like Tile>
     static std::vector<unsigned char> seen_by_others(const Tile& part, element_kind kind, int rings)
     {
@@ -188,7 +190,8 @@ private:
         return result;
     }
 
-    /// Element i is looked up on rank i modulo ranks, so that no rank has to know all owners.
+    /// Finds the owners of the asked elements. Element i is looked up on rank i modulo ranks, so that no rank has to
+    /// know all owners.
     std::vector<std::vector<owner>> find_owners(std::vector<std::vector<offer>> offers,
                                                 std::vector<std::vector<global_id>> questions)
     {
@@ -214,7 +217,8 @@ private:
         });
     }
 
-    /// Throws mesh_error unless `fields`, if its type tells sizes, has a value for each element of each tile.
+    /// Throws mesh_error unless `fields` has a value for each element of each tile. Types without sizes are not
+    /// checked.
     template <class Fields>
     void require_sizes(const Fields& fields) const
     {
@@ -263,10 +267,10 @@ private:
     }
 
     communicator& comm_;
-    std::vector<std::pair<std::uint64_t, std::size_t>> sizes_; // of each tile its number and how many elements it has
-    std::vector<std::vector<request>> send_;                   // per rank, what it wants
-    std::vector<std::vector<slot>> receive_;                   // per rank, where to store what it sends
-    std::vector<std::pair<std::size_t, std::size_t>> sums_;    // of send_, in the order in which values are added
+    std::vector<std::pair<std::uint64_t, std::size_t>> sizes_; // per tile: its number, and the number of its elements
+    std::vector<std::vector<request>> send_;                   // per rank: the values that it asks for
+    std::vector<std::vector<slot>> receive_;                   // per rank: the places of the values that it sends
+    std::vector<std::pair<std::size_t, std::size_t>> sums_;    // indices into send_, in the order of the additions
 };
 
 } // namespace kith::mpi

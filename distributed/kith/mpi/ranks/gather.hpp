@@ -27,11 +27,11 @@ namespace kith::mpi {
 
 namespace detail {
 
-/// What a tile has to tell of the faces it owns.
+/// Packs the faces and vertices that a tile owns.
 template <class Point, std::unsigned_integral Index>
 void pack_owned(packer& out, const tile<Point, Index>& part)
 {
-    std::vector<global_id> vertex_ids, faces; // of each face its number, its first corner, its degree, its vertices
+    std::vector<global_id> vertex_ids, faces; // per face its number, its first corner, its degree, its vertices
     std::vector<Point> points;
     for (std::size_t v = 0; v < part.vertex_ids.size(); ++v)
         if (part.owns_vertex(v)) {
@@ -65,7 +65,8 @@ public:
     }
     using face_corners = typename part_numbers<global_id>::face_corners;
 
-    /// Precondition: what is read is that of pack_owned. Returns the corners of the faces that came, in their order.
+    /// Adds a tile and returns the corners of its faces, in their order. Precondition: pack_owned has written what is
+    /// read.
     std::vector<face_corners> add(unpacker& in)
     {
         const auto ids = in.get_array<std::vector<global_id>>();
@@ -93,20 +94,20 @@ private:
     connectivity<Index> topology_;
 };
 
-/// What all ranks know together of the tiles of a level.
+/// The facts on the tiles of a level that are computed from all ranks.
 struct gathered_facts {
     int generation;
     int degree;             ///< of all faces, or 0
-    std::uint64_t vertices; ///< that tiles own
+    std::uint64_t vertices; ///< owned by tiles
     std::uint64_t faces;
 };
 
-/// Collective.
+/// Returns the facts on the tiles of a level. Collective.
 template <class Point, std::unsigned_integral Index>
 gathered_facts facts_of(communicator& comm, const std::vector<const tile<Point, Index>*>& tiles)
 {
-    // The generation, and the most and the fewest corners of a face, known where a tile is: one of quads alone does not
-    // say that all are.
+    // The generation, and the most and the fewest corners of a face, are known only where a tile is. If one tile has
+    // only quads, others may differ.
     constexpr double none = std::numeric_limits<double>::lowest();
     std::array<double, 3> form{0, none, none};
     std::array<std::uint64_t, 2> owned{0, 0};
@@ -125,7 +126,7 @@ gathered_facts facts_of(communicator& comm, const std::vector<const tile<Point, 
     return {int(generation), most == -fewest ? int(most) : 0, owned[0], owned[1]};
 }
 
-/// Refuses a level that one rank cannot have, or that is not all there.
+/// Throws mesh_error for a level that one rank cannot hold, and for one of which tiles are missing.
 template <class Point, std::unsigned_integral Index>
 void require_gatherable(const global_counts& counts, const gathered_facts& facts, std::uint64_t state_bytes,
                         std::uint64_t memory_limit)
@@ -147,8 +148,8 @@ void require_gatherable(const global_counts& counts, const gathered_facts& facts
                          std::to_string(facts.faces) + "; give all tiles of the level, each once");
 }
 
-/// Collective: rank 0 takes a message of each of so many tiles of all ranks, one after the other; packed(i) makes that
-/// of tile i of this rank. An empty one says that its rank has failed.
+/// Sends a message for each of the `tiles` tiles of each rank to rank 0, which takes them one after the other.
+/// packed(i) makes the message of tile i of this rank; an empty message says that its rank has failed. Collective.
 template <std::invocable<std::size_t> Packed, std::invocable<const std::vector<std::byte>&> Take>
 void send_to_root(communicator& comm, std::size_t tiles, const Packed& packed, const Take& take)
 {
@@ -163,8 +164,9 @@ void send_to_root(communicator& comm, std::size_t tiles, const Packed& packed, c
     }
 }
 
-/// A level as one mesh on rank 0, of these tiles. `state_bytes` more are needed there for what `pack(out, i)` says of
-/// tile i beside the mesh, which `add(in, corners)` takes, told the corners of the faces that came.
+/// Returns these tiles of a level as one mesh on rank 0. `pack(out, i)` adds data of tile i to the message with its
+/// faces; `add(in, corners)` reads them on rank 0, given the corners of these faces. The data need `state_bytes` more
+/// bytes there. Collective.
 template <class Point, std::unsigned_integral Index, std::invocable<packer&, std::size_t> Pack, class Add>
     requires std::invocable<const Add&, unpacker&,
                             const std::vector<typename gathered_mesh<Point, Index>::face_corners>&>
@@ -192,7 +194,7 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
             return message;
         };
         const auto take = [&](const std::vector<std::byte>& message) {
-            if (problem.empty() and not message.empty()) // else its rank has failed, and says so
+            if (problem.empty() and not message.empty()) // an empty message: its rank has failed, and reports that
                 problem = problem_of(
                     [&] {
                         unpacker in(message);
@@ -210,12 +212,11 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
 
 } // namespace detail
 
-/// Collective: a level as one mesh on rank 0, with the numbers and the bits of refining it there, as face-vertex lists
-/// (connect::faces); an empty mesh on the others. `tiles` are those of this rank, `counts` those of the level.
-/// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is
-/// allocated.
-/// Errors: phase_error for that, for more elements than Index can number, and when tiles are missing.
-/// Cost: rank 0 receives tile by tile, so it holds the mesh and one tile.
+/// Returns a level as one mesh on rank 0, with the numbers and the bits of refining it there, as face-vertex lists
+/// (connect::faces). Other ranks get an empty mesh. `tiles` are those of this rank, `counts` those of the level. If the
+/// mesh needs more than `memory_limit` bytes on rank 0, this is refused before anything is allocated. Collective.
+/// Errors: phase_error in this case, for more elements than Index can number, and when tiles are missing. Cost: rank 0
+/// receives tile by tile, so it holds the mesh and one tile.
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_tile<tile<Point, Index>>> tiles,
                                 const global_counts& counts, std::uint64_t memory_limit)
@@ -237,10 +238,9 @@ struct gathered_level {
     Scheme scheme;
 };
 
-/// Collective. The same for the tiles of `level` among those that are kept, with their state (creases, fields), by the
-/// numbers of the whole mesh. `scheme` has the options of theirs, on all ranks; its state does not count, and on other
-/// ranks than 0 the one that is returned has none. Twice the bytes of the state count for the limit, as it grows tile
-/// by tile.
+/// Returns the tiles of `level` among `tiles` as one mesh, with the state (creases, fields) in the numbers of the
+/// whole mesh. `scheme` gives the options, on all ranks; its state is not used, and other ranks than 0 get one without
+/// state. Twice the bytes of the state count for the limit, as it grows tile by tile. Collective. Otherwise as above.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 gathered_level<Point, Index, Scheme>
 gather(communicator& comm, const std::vector<kept_tile<tile<Point, Index>, Scheme>>& tiles, int level,

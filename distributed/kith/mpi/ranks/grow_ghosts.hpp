@@ -27,19 +27,19 @@ namespace kith::mpi {
 
 namespace detail {
 
-/// Which faces lie at a vertex, and who owns them: asked of rank `vertex modulo ranks`.
+/// A directory of the faces at vertices and their owners. Rank `vertex modulo ranks` answers for a vertex.
 class faces_at_vertices {
 public:
     struct place {
         global_id face;
-        std::uint64_t rank, tile; // the tile by where it is on that rank
+        std::uint64_t rank, tile; // the index of the tile on that rank
     };
     struct answer {
         std::uint64_t question;
         place where;
     };
 
-    /// Tells the directory of the faces that tiles may ask for which are to have so many rings of ghosts. Collective.
+    /// Sends the directory the faces that tiles may ask for to get `rings` rings of ghosts. Collective.
     template <tile_like Tile>
     faces_at_vertices(communicator& comm, std::span<const numbered_tile<Tile>> tiles, int rings) : comm_(comm)
     {
@@ -65,8 +65,8 @@ public:
         });
     }
 
-    /// Returns the faces at vertices: `questions()` makes a list of vertices for each rank, and the answers tell by
-    /// their place there which vertex they are for. Collective.
+    /// Returns the faces at vertices. `questions()` makes a list of vertices for each rank; each answer has the index
+    /// of its question in that list. Collective.
     template <class Questions>
     std::vector<std::vector<answer>> ask(const Questions& questions)
     {
@@ -96,7 +96,7 @@ private:
     std::vector<entry> known_; // by vertex
 };
 
-/// What owners answer: faces, and the state that their schemes have there.
+/// The answers of owners: faces, and the state that their schemes have there.
 template <class Point, scheme Scheme>
 struct fetched_faces {
     known_faces<Point> known;
@@ -149,15 +149,15 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std:
     });
 }
 
-/// Returns of each tile the faces that it lacks at its outermost vertices, in their order, each once; none of a tile
-/// that has `ring` rings already, as `rings_of` says. Collective.
+/// Returns for each tile the faces that it lacks at its outermost vertices, in their order, without repetition. A tile
+/// that has `ring` rings according to `rings_of` lacks none. Collective.
 template <tile_like Tile>
 std::vector<std::vector<faces_at_vertices::place>> lacking_faces(communicator& comm, faces_at_vertices& directory,
                                                                  std::span<const numbered_tile<Tile>> tiles,
                                                                  std::span<const int> rings_of, int ring)
 {
     const auto ranks = std::size_t(comm.size());
-    std::vector<std::vector<std::size_t>> asking; // the tile that has each of the questions
+    std::vector<std::vector<std::size_t>> asking; // the tile that asks each question
     const auto answers = directory.ask([&] {
         std::vector<std::vector<global_id>> questions(ranks);
         asking.resize(ranks);
@@ -190,13 +190,13 @@ std::vector<std::vector<faces_at_vertices::place>> lacking_faces(communicator& c
     });
 }
 
-/// The faces that the tiles of this rank lacked, from their owners.
+/// The faces that the tiles of this rank lacked, fetched from their owners.
 template <tile_like Tile, scheme Scheme>
 class faces_from_owners {
 public:
     using known = known_faces<typename Tile::point_type>;
 
-    /// Fetches them. Collective.
+    /// Fetches the faces. Collective.
     faces_from_owners(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std::span<const Scheme> schemes,
                       const std::vector<std::vector<faces_at_vertices::place>>& lacking)
     {
@@ -220,7 +220,7 @@ public:
         });
     }
     [[nodiscard]] const known& of_tile(std::size_t t) const { return of_tile_[t]; }
-    /// f(state) with what the schemes of all ranks say that tile t has asked.
+    /// Calls f(state) for the states received from each rank that tile t has asked.
     template <class F>
     void for_states(std::size_t t, const F& f) const
     {
@@ -237,12 +237,12 @@ private:
 
 } // namespace detail
 
-/// Lets the ghosts of all tiles of a level grow to `rings` complete rings, where there are fewer, by asking ring after
-/// ring who holds the faces at the outermost vertices. `tiles` are those of this rank, `schemes` those of the tiles,
-/// whose state (creases) is fetched as well; the elements that a tile owns stay the same. Collective.
-/// Preconditions: each tile has its edges. Marks of edges on level 0 are not carried.
-/// Errors: phase_error for a tile without one complete ring, and for lack of memory; mpi::error.
-/// Cost: four messages at most to each rank per ring, and building each tile anew.
+/// Adds rings of ghosts to all tiles of a level that have fewer than `rings` complete ones. Ring after ring, the tiles
+/// fetch the faces at their outermost vertices from the owners, with the state of their schemes (creases). `tiles` are
+/// those of this rank, `schemes` those of the tiles. The elements that a tile owns stay the same. Collective.
+/// Preconditions: each tile has its edges. Marks of edges on level 0 are not carried. Errors: phase_error for a tile
+/// without one complete ring, and for lack of memory; mpi::error. Cost: at most four messages to each rank per ring,
+/// and rebuilding each tile.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 void grow_ghosts(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, std::span<Scheme> schemes,
                  int rings)
@@ -282,7 +282,7 @@ void grow_ghosts(communicator& comm, std::span<numbered_tile<tile<Point, Index>>
         });
     }
 }
-/// The same for tiles of a scheme without state.
+/// Adds rings of ghosts to tiles of a scheme without state. Collective.
 template <class Point, std::unsigned_integral Index>
 void grow_ghosts(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, int rings)
 {

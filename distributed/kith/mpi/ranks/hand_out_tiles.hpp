@@ -19,9 +19,9 @@ namespace kith::mpi {
 /// A tile by its number, as a message.
 using packed_tile = std::pair<std::uint64_t, std::vector<std::byte>>;
 
-/// On rank 0, while all others are in ask_for_tiles: hands out tiles in this order to whoever is free. `cut(t)` makes
-/// tile t as a message. Errors: std::runtime_error for what `cut` throws, after which the others hear that nothing is
-/// left.
+/// Hands out tiles from rank 0 in this order to ranks that ask, while all others are in ask_for_tiles. `cut(t)` makes
+/// tile t as a message. Errors: std::runtime_error for an exception of `cut`; the others are then told that no tiles
+/// are left.
 template <std::invocable<std::uint64_t> Cut>
 void hand_out_tiles(communicator& comm, const std::vector<std::uint64_t>& order, const Cut& cut)
 {
@@ -32,10 +32,10 @@ void hand_out_tiles(communicator& comm, const std::vector<std::uint64_t>& order,
         const auto question = comm.receive(worker);
         const auto wanted = unpacker(question).get<std::uint64_t>();
         if (wanted == 0)
-            next = order.size(); // it has failed, so the rest is of no use
+            next = order.size(); // the rank has failed, so the remaining tiles are not needed
         std::vector<std::byte> answer;
         if (next < order.size() and problem.empty()) {
-            const std::uint64_t left = order.size() - next; // the last ones go to all that work
+            const std::uint64_t left = order.size() - next; // the last tiles are shared among all working ranks
             const auto count = std::clamp<std::uint64_t>(left / std::uint64_t(working), 1, wanted);
             problem = problem_of(
                 [&] {
@@ -55,10 +55,10 @@ void hand_out_tiles(communicator& comm, const std::vector<std::uint64_t>& order,
         throw std::runtime_error(problem);
 }
 
-/// On all other ranks: asks for up to `wanted` tiles at a time and calls refine(std::vector<packed_tile>) until none
-/// are left.
-/// Errors: std::runtime_error for what `refine` throws, with these words where memory is short; it then asks for no
-/// more.
+/// Asks rank 0 for up to `wanted` tiles at a time and calls refine(std::vector<packed_tile>) until none are left. All
+/// ranks but 0 call this.
+/// Errors: std::runtime_error for an exception of `refine`, with the text `no_memory` for lack of memory; the rank then
+/// asks for no more tiles.
 template <std::invocable<std::vector<packed_tile>> Refine>
 void ask_for_tiles(communicator& comm, std::uint64_t wanted, const char* no_memory, const Refine& refine)
 {

@@ -39,21 +39,21 @@ consteval bool can_join(kith::detail::type_list<States...>)
 
 } // namespace detail
 
-/// Tiles of level 0 that lay on their ranks before they are refined there, each once.
+/// The tiles of level 0 that already lay on their ranks. They are refined there, each once.
 template <tile_like Tile, scheme Scheme>
 class held_tiles {
 public:
     using job_type = tile_job<Tile, Scheme>;
 
-    /// Takes tiles, and requires that they are all there, numbered from 0 on, and that `scheme` takes their faces.
-    /// `counts` are those of the whole mesh. Collective. Errors: phase_error.
+    /// Takes tiles, and requires that all exist, numbered from 0 on, and that `scheme` takes their faces. `counts` are
+    /// those of the whole mesh. Collective. Errors: phase_error.
     held_tiles(communicator& comm, std::vector<numbered_tile<Tile>> tiles, const global_counts& counts,
                const Scheme& scheme)
         : tiles_(std::move(tiles))
     {
         require(comm, counts, scheme);
     }
-    /// Same for tiles that have a scheme each.
+    /// Takes tiles that have a scheme each, with the same requirements. Collective. Errors: phase_error.
     held_tiles(communicator& comm, std::vector<kept_tile<Tile, Scheme>> tiles, const global_counts& counts,
                const Scheme& scheme)
     {
@@ -66,17 +66,17 @@ public:
         require(comm, counts, scheme);
     }
 
-    /// The number of tiles on all ranks.
+    /// Returns the number of tiles on all ranks.
     [[nodiscard]] std::uint64_t count() const { return count_; }
     [[nodiscard]] int generation() const { return generation_; }
-    /// What the tiles of this rank know of the control mesh.
+    /// Returns the runs of the control mesh that the tiles of this rank know.
     [[nodiscard]] const control_runs& runs() const { return runs_; }
     [[nodiscard]] const std::vector<numbered_tile<Tile>>& tiles() const { return tiles_; }
     [[nodiscard]] std::size_t size() const { return tiles_.size(); }
 
     /// Fetches rings of ghosts, with the state there, until all tiles have `rings` of them. If tiles have no schemes,
     /// the state of `scheme` is that of the whole mesh. Collective.
-    /// Errors: phase_error for a tile without a complete ring, and where state cannot be joined. Cost: that of
+    /// Errors: phase_error for a tile without a complete ring, and if state cannot be joined. Cost: that of
     /// grow_ghosts, if rings are missing.
     void require_rings(communicator& comm, const Scheme& scheme, int rings)
     {
@@ -103,7 +103,7 @@ public:
         }
     }
 
-    /// The tiles of this rank that have one of these numbers, by their places. Local.
+    /// Returns the indices of the tiles of this rank that have one of these numbers. Local.
     [[nodiscard]] std::vector<std::size_t> among(const std::vector<std::uint64_t>& numbers) const
     {
         std::vector<std::size_t> result;
@@ -112,7 +112,7 @@ public:
                 result.push_back(i);
         return result;
     }
-    /// Local. Errors: mesh_error for a tile among these that has been taken.
+    /// Throws mesh_error if one of these tiles has been taken. Local.
     void require_there(const std::vector<std::uint64_t>& numbers) const
     {
         for (const std::size_t i : among(numbers))
@@ -120,7 +120,7 @@ public:
                 throw mesh_error("tile " + std::to_string(tiles_[i].number) +
                                  " was already used on this rank; give its level 0 to another rank_refinement");
     }
-    /// Takes the i-th tile and its scheme out. Local.
+    /// Moves the i-th tile and its scheme out. Local.
     [[nodiscard]] job_type take(std::size_t i, const Scheme& scheme)
     {
         is_taken_[i] = 1;
@@ -128,7 +128,7 @@ public:
         Scheme mine = schemes_.empty() ? kith::detail::scheme_of_tile(scheme, part) : std::move(schemes_[i]);
         return {std::move(part), std::move(mine)};
     }
-    /// The tile that takes the most memory. Local.
+    /// Returns the size of the tile with the most owned corners, which takes the most memory. Local.
     [[nodiscard]] tile_size largest() const
     {
         tile_size result;
@@ -168,7 +168,7 @@ private:
     }
 
     std::vector<numbered_tile<Tile>> tiles_;
-    std::vector<Scheme> schemes_; // of the tiles, where they have one each
+    std::vector<Scheme> schemes_; // of the tiles, if they have one each
     std::vector<unsigned char> is_taken_;
     std::uint64_t count_ = 0; // on all ranks
     int generation_ = 0;

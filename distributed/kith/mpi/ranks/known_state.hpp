@@ -14,12 +14,12 @@
 
 namespace kith::detail {
 
-/// Some elements of a level by their numbers in the whole mesh, increasing.
+/// Some elements of a level by their global numbers, increasing.
 struct global_elements {
     std::vector<global_id> vertices, edges, faces;
     std::vector<std::uint64_t> degrees; ///< of the faces
 };
-/// Where the corners of a face of a tile are.
+/// Returns the first corner of a face of a tile, and the number of its corners.
 template <tile_like Tile, std::unsigned_integral Face>
 auto corners_of(const Tile& part, Face f)
 {
@@ -37,14 +37,14 @@ global_elements elements_of(const Tile& part)
     return result;
 }
 
-/// A scheme with what its state says of some elements, whose numbers in it are their places in these lists.
+/// A scheme with the state of some elements only. It numbers them by their indices in these lists.
 template <scheme Scheme>
 struct known_state {
     Scheme scheme;
     global_elements elements;
 };
 
-/// What the scheme of a tile knows of some of its faces, their edges and their vertices.
+/// Returns the state that the scheme of a tile has for some faces, their edges and their vertices.
 template <tile_like Tile, scheme Scheme, std::unsigned_integral Index>
 known_state<Scheme> state_at_faces(const Tile& part, const Scheme& scheme, std::vector<Index> faces)
 {
@@ -82,7 +82,8 @@ void pack_known_state(packer& out, const known_state<Scheme>& known)
     out.add_array(known.elements.degrees);
     pack_state(out, known.scheme);
 }
-/// The inverse; `scheme` has the options of the one that was packed, and any state.
+/// Returns the state that pack_known_state has added. `scheme` has the options of the packed scheme; its state is
+/// replaced.
 template <scheme Scheme>
 known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
 {
@@ -113,7 +114,8 @@ known_faces<Point> unpack_faces(unpacker& in)
     return result;
 }
 
-/// Lets the state of a scheme take over that of another of its kind for a part, whose elements have these numbers here.
+/// Adds to the state of a scheme that of another scheme of its type for a part. `part` has the numbers of the part's
+/// elements in `scheme`.
 template <scheme Scheme, std::unsigned_integral Index>
 void add_state(Scheme& scheme, const Scheme& of_part, const part_numbers<Index>& part)
 {
@@ -130,8 +132,8 @@ void add_state(Scheme& scheme, const Scheme& of_part, const part_numbers<Index>&
     });
 }
 
-/// Lets the scheme of a tile take over what another of its kind knows of elements that the tile has.
-/// Cost: O(elements log of them).
+/// Adds to the state of a tile's scheme that of another scheme of its type, for the known elements that the tile has.
+/// Cost: O(n log n) for n elements.
 template <scheme Scheme, tile_like Tile>
 void take_over(Scheme& scheme, const Tile& part, const Scheme& other, const global_elements& known)
 {

@@ -23,7 +23,8 @@ namespace kith::mpi {
 
 namespace detail {
 
-/// `tiles` have a number and a part, `is_meant(tile)` says which of them are of the level.
+/// Returns the number of owned faces of each tile, on all ranks. `tiles` have a number and a part; `is_meant(tile)`
+/// returns true for the tiles of the level. Collective.
 template <std::ranges::input_range Tiles, std::predicate<const std::ranges::range_value_t<Tiles>&> IsMeant>
 std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, std::uint64_t all_tiles,
                                        const IsMeant& is_meant)
@@ -53,15 +54,15 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, s
 
 } // namespace detail
 
-/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile
-/// that is not there, or there twice.
+/// Returns the number of faces that each tile owns, by the number of the tile, on all ranks. Collective. Errors:
+/// phase_error for a tile that is missing, or given twice.
 template <tile_like Tile>
 std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
                                        std::uint64_t all_tiles)
 {
     return detail::owned_faces(comm, tiles, all_tiles, [](const auto&) { return true; });
 }
-/// Collective. The same for the tiles of `level` among those that are kept.
+/// Returns the number of owned faces for the tiles of `level` among `tiles`. Collective.
 template <tile_like Tile, scheme Scheme>
 std::vector<std::uint64_t> owned_faces(communicator& comm, const std::vector<kept_tile<Tile, Scheme>>& tiles, int level,
                                        std::uint64_t all_tiles)
@@ -71,8 +72,7 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const std::vector<kep
 
 namespace detail {
 
-/// Sorted by a key, those of equal keys as they are. What is sorted, such as tiles with schemes, need not be
-/// assignable.
+/// Returns `all` stably sorted by a key. The elements, such as tiles with schemes, need not be assignable.
 template <class T, class Key>
 std::vector<T> in_order(std::vector<T>&& all, const Key& key)
 {
@@ -88,9 +88,9 @@ std::vector<T> in_order(std::vector<T>&& all, const Key& key)
 
 } // namespace detail
 
-/// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has
-/// least (Graham 1969: at most 4/3 of what would be best). Equal ones go by their numbers, so all ranks find the same.
-/// Local.
+/// Returns a rank for each tile, so that all ranks get about as many faces. The largest tile comes first; each goes to
+/// the rank with the fewest faces (Graham 1969: at most 4/3 of the optimum). Equal tiles are taken in the order of
+/// their numbers, so all ranks compute the same result. Local.
 inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_tile, int ranks)
 {
     std::vector<std::size_t> order(faces_of_tile.size());
@@ -108,8 +108,8 @@ inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_t
 
 namespace detail {
 
-/// Moves things that have the number of a tile: `write(packer, moving)` empties one, `read(unpacker, number)` makes it
-/// again. They are sorted by order(thing).
+/// Moves objects that have the number of a tile. `write(packer, moving)` empties one, `read(unpacker, number)` makes it
+/// again. The result is sorted by order(object).
 template <class Moving, std::invocable<packer&, Moving&> Write, std::invocable<unpacker&, std::uint64_t> Read,
           std::invocable<const Moving&> Order>
 std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles, std::span<const int> rank_of,
@@ -150,10 +150,10 @@ std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles,
 
 } // namespace detail
 
-/// Collective: moves tiles of any level to other ranks; tile t goes to rank `rank_of[t]`, which is the same list on all
-/// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0
-/// travel with them, and what an element came from follows from its number, on any rank (global_numbering::origin,
-/// global_lineage).
+/// Moves tiles of any level to other ranks: tile t goes to rank `rank_of[t]`, which is the same list on all ranks.
+/// Returns the tiles that are now on this rank, in the order of their numbers, with all their data. Their roots on
+/// level 0 move with them. The origin of an element follows from its number, on any rank (global_numbering::origin,
+/// global_lineage). Collective.
 /// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory;
 /// mpi::error.
 /// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
@@ -177,9 +177,9 @@ repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> t
         [](const moving& tile) { return tile.number; });
 }
 
-/// Collective. The same for tiles with their schemes, of one or several levels: their state (creases, fields) moves
-/// with them. The levels of a tile stay together, in their order. `scheme` has the options of theirs, on all ranks; its
-/// state does not count.
+/// Moves tiles with their schemes, of one or several levels. Their state (creases, fields) moves with them. The levels
+/// of a tile stay together, in their order. `scheme` gives the options, on all ranks; its state is not used.
+/// Collective.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::vector<kept_tile<tile<Point, Index>, Scheme>> repartition(communicator& comm,
                                                                std::vector<kept_tile<tile<Point, Index>, Scheme>> tiles,

@@ -23,8 +23,8 @@
 
 namespace kith {
 
-/// What require_input asks of a control mesh, asked of its tiles. Their rims look like boundaries, so a scheme for
-/// closed meshes has to be refused before. Errors: mesh_error.
+/// Throws mesh_error for tiles of a control mesh that require_input would refuse. Their cuts look like boundaries, so a
+/// scheme for closed meshes must be refused before.
 template <scheme Scheme, tile_like Tile>
 void require_tiles(const std::vector<numbered_tile<Tile>>& tiles, const Scheme& scheme)
 {
@@ -42,8 +42,8 @@ void require_tiles(const std::vector<numbered_tile<Tile>>& tiles, const Scheme& 
 
 namespace mpi {
 
-/// Collective. How many tiles all ranks hold; their numbers have to be those from 0 on, each once, since tiles are
-/// asked for by them. Errors: phase_error. Cost: O(tiles) on each rank.
+/// Returns the number of tiles on all ranks. Their numbers must be those from 0 on, each once, since tiles are
+/// requested by number. Collective. Errors: phase_error. Cost: O(tiles) on each rank.
 template <tile_like Tile>
 std::uint64_t require_all_tiles(communicator& comm, const std::vector<numbered_tile<Tile>>& tiles)
 {
@@ -79,8 +79,8 @@ int generation_of_tiles(communicator& comm, const std::vector<numbered_tile<Tile
     return int(comm.maximum(std::array{generation})[0]);
 }
 
-/// Returns the complete rings of ghosts of each tile of this rank, at most `most`, and the fewest of all ranks.
-/// Collective. Errors: phase_error for a tile without edges.
+/// Returns the fewest complete rings of ghosts of all tiles, and the complete rings of each tile of this rank; all are
+/// at most `most`. Collective. Errors: phase_error for a tile without edges.
 template <tile_like Tile>
 std::pair<int, std::vector<int>> rings_of_tiles(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
                                                 int most)
@@ -95,7 +95,7 @@ std::pair<int, std::vector<int>> rings_of_tiles(communicator& comm, std::span<co
     return {int(comm.minimum(std::array{double(here)})[0]), std::move(rings)};
 }
 
-/// Makes sure that all ranks refine by the same options as often. Collective. Errors: phase_error.
+/// Throws phase_error unless all ranks refine with the same options, number of levels and `last_rings`. Collective.
 template <scheme Scheme>
 void require_same_refinement(communicator& comm, const Scheme& scheme, std::uint64_t levels,
                              std::optional<int> last_rings)
@@ -104,7 +104,7 @@ void require_same_refinement(communicator& comm, const Scheme& scheme, std::uint
     require_same_on_ranks(comm, std::uint64_t(last_rings.value_or(-1)), "last_rings");
     require_same_on_ranks(comm, kith::detail::sum_of_options(scheme), "an option of the scheme");
 }
-/// Makes sure that all ranks ask for the same tiles, in one way of sharing. Collective. Errors: phase_error.
+/// Throws phase_error unless all ranks ask for the same tiles, in the same way of sharing. Collective.
 inline void require_same_tiles(communicator& comm, const std::vector<std::uint64_t>& numbers, std::uint64_t sharing)
 {
     kith::detail::word_hash hash(sharing);

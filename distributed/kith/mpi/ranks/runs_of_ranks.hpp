@@ -6,8 +6,8 @@
 
 namespace kith::mpi {
 
-/// Collective: what the ranks know of a control mesh, together, on all of them. Errors: mpi::error. Cost: a message of
-/// 24 bytes per run from each rank to rank 0, and all of them from there to all.
+/// Returns the runs of a control mesh that the ranks know, joined, on all ranks. Collective. Errors: mpi::error. Cost:
+/// a message of 24 bytes per run from each rank to rank 0, and all runs from there to all ranks.
 inline control_runs runs_of_ranks(communicator& comm, const control_runs& mine)
 {
     return {all_of_ranks(comm, mine.corners_of_faces),

@@ -14,17 +14,17 @@
 
 namespace kith::mpi {
 
-/// How tiles come to ranks. Spmd: dealt out at the beginning, the t-th to rank t modulo ranks. Manager: rank 0 hands
-/// them out, the largest first, to whoever is free; it refines only when it is alone.
+/// The ways in which tiles come to ranks. `spmd`: tiles are dealt out at the beginning, the t-th to rank t modulo
+/// ranks. `manager`: rank 0 hands them out, the largest first, to ranks that ask; it refines only when it is alone.
 enum class sharing : unsigned char { spmd, manager };
 
-/// What a rank did.
+/// The work that a rank has done.
 struct work_done {
     std::uint64_t tiles = 0;
-    std::uint64_t owned_faces = 0;  ///< of the last level
-    std::uint64_t kept_faces = 0;   ///< on all levels that were made, ghosts included; patches skip some levels
-    std::uint64_t useful_faces = 0; ///< on the same levels, owned
-    phase_seconds seconds{};        ///< to cut, refine and use tiles; to send and wait in communicator::seconds
+    std::uint64_t owned_faces = 0;  ///< on the last level
+    std::uint64_t kept_faces = 0;   ///< on all levels that were made, including ghosts; patches skip some levels
+    std::uint64_t useful_faces = 0; ///< owned faces on the same levels
+    phase_seconds seconds{};        ///< to cut, refine and use tiles; to send and wait see communicator::seconds
 
     work_done& operator+=(const work_done& more)
     {
@@ -38,8 +38,8 @@ struct work_done {
 };
 
 /// Refines tile `number` of level 0 and hands it over: use(number, tile) or use(number, tile, scheme) with the last
-/// level, or, where `use` takes a kept_tile, with every level. Returns what was done; `at_once` tiles are being
-/// refined, so that each has a part of the seconds. Errors and cost: those of the steps.
+/// level; if `use` takes a kept_tile, it gets every level. Returns the work done. Each of the `at_once` tiles that are
+/// refined at the same time gets its share of the seconds. Errors and cost: those of the steps.
 template <tile_like Tile, reaching_scheme Scheme, class Use>
 work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels<Scheme>& whole,
                          connect last, const Use& use, std::size_t at_once)
@@ -73,11 +73,11 @@ work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const
     return done;
 }
 
-/// Refines tiles on the threads of this rank, hands them to `use` and adds up the work. Local.
+/// A worker that refines tiles on the threads of this rank, hands them to `use` and adds up the work. Local.
 template <reaching_scheme Scheme, class Use>
 class tile_worker {
 public:
-    /// `whole` and `use` must outlive this object; `last` and `use` are those of refine_counted.
+    /// Takes `last` and `use` as refine_counted does. `whole` and `use` must outlive this object.
     tile_worker(const global_levels<Scheme>& whole, connect last, const Use& use, std::size_t most_at_once)
         : whole_(whole), last_(last), use_(use), most_at_once_(most_at_once)
     {
@@ -85,7 +85,7 @@ public:
     [[nodiscard]] std::size_t most_at_once() const { return most_at_once_; }
     [[nodiscard]] const work_done& done() const { return done_; }
 
-    /// Refines so many tiles; job(i) returns the number of the i-th one and its tile_job.
+    /// Refines `tiles` tiles; job(i) returns the number of the i-th one and its tile_job.
     /// Errors: those of the steps, of `job` and of `use`.
     template <std::invocable<std::size_t> Job>
     void refine(std::size_t tiles, const Job& job)

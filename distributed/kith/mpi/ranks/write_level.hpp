@@ -28,8 +28,8 @@ namespace kith::mpi {
 
 namespace detail {
 
-/// The names of a file that ranks write together, and of its pieces: at the end, and until then names that no other job
-/// has.
+/// The names of a file that ranks write together, and of its pieces: the final names, and temporary names that no other
+/// job has.
 struct names_of_level {
     std::string path, unfinished, pieces, unfinished_pieces;
 
@@ -48,7 +48,7 @@ struct names_of_level {
         if (not unfinished_pieces.empty())
             std::filesystem::remove_all(unfinished_pieces, ignored);
     }
-    /// Errors: mesh_error for a directory in the place of the pieces that holds something else.
+    /// Throws mesh_error if the directory for the pieces holds anything but pieces.
     void require_pieces_only() const
     {
         std::error_code failed;
@@ -58,14 +58,14 @@ struct names_of_level {
                     throw mesh_error(pieces + ": would be replaced by the pieces, but holds " +
                                      entry.path().filename().string() + "; remove it, or name another output");
     }
-    /// Gives file and pieces their names. Errors: std::filesystem::filesystem_error.
+    /// Gives the file and the pieces their final names. Errors: std::filesystem::filesystem_error.
     void commit() const
     {
         namespace fs = std::filesystem;
         if (not pieces.empty()) {
             const std::string former = unfinished + ".former";
             std::error_code failed;
-            for (int tries = 0; tries < 100; ++tries) { // another job may give this name to its pieces in between
+            for (int tries = 0; tries < 100; ++tries) { // another job may give its pieces this name meanwhile
                 fs::rename(pieces, former, failed);
                 fs::rename(unfinished_pieces, pieces, failed);
                 if (not failed)
@@ -80,7 +80,7 @@ struct names_of_level {
     }
 };
 
-/// A number that other jobs do not have, on all ranks. Collective.
+/// Returns a number that other jobs do not have, the same on all ranks. Collective.
 inline std::uint64_t number_of_job(communicator& comm)
 {
     const auto now = std::uint64_t(std::chrono::system_clock::now().time_since_epoch().count());
@@ -90,17 +90,17 @@ inline std::uint64_t number_of_job(communicator& comm)
 
 } // namespace detail
 
-/// Writes the tiles of `level` among those that are kept, and fields of theirs as point data and cell data:
+/// Writes the tiles of `level` among `tiles`, and fields of theirs as point data and cell data:
 ///
 ///   write_level(comm, "fine.vtu", kept, 3, counts, field_named<0>("heat"), field_named<1>("material"));
 ///
-/// into one file (.vtu), the same bytes for any number of tiles and ranks, or into a file per tile and an index (.pvtu)
-/// with the tiles in NAME.pieces. `counts` are those of the level; the path is the same on all ranks, on a file system
-/// that they share. Until all is complete the file is called NAME.incomplete-NUMBER, with a number of this call alone,
-/// and its pieces NAME.incomplete-NUMBER.pieces; both are removed after an error. Collective.
-/// Errors: phase_error when tiles are missing, for a field without values, for two of one name, for a vertex that has
-/// no finite place, for an error of the file system and, with a file per tile, for tiles that are not numbered from 0
-/// on, each once. Cost: O(corners).
+/// The output is one file (.vtu), with the same bytes for any number of tiles and ranks. Or it is a file per tile in
+/// NAME.pieces and an index of them (.pvtu). `counts` are those of the level. The path is the same on all ranks, on a
+/// file system that they share. Until all is complete the file is called NAME.incomplete-NUMBER, with a number of this
+/// call alone, and its pieces NAME.incomplete-NUMBER.pieces; both are removed after an error. Collective.
+/// Errors: phase_error when tiles are missing; for a field without values; for two fields of one name; for a vertex
+/// without finite coordinates; for an error of the file system; and, with a file per tile, for tiles that are not
+/// numbered from 0 on, each once. Cost: O(corners).
 template <std::unsigned_integral Index, scheme Scheme, class... Find>
 void write_level(communicator& comm, const std::string& path,
                  const std::vector<kept_tile<tile<std::array<double, 3>, Index>, Scheme>>& tiles, int level,

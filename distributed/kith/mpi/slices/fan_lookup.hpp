@@ -12,8 +12,8 @@
 
 namespace kith::mpi::detail {
 
-/// Finds the first corner of a fan, a range of them, whose `Side` is a vertex; the end if there is none. In small fans
-/// one after the other, in large ones O(log corners).
+/// A search in a fan, a range of corners, for the first corner whose `Side` is a vertex; the result is the end if there
+/// is none. Cost: linear in small fans, O(log corners) in large ones.
 template <class Fan, auto Side>
 class fan_lookup {
 public:

@@ -24,15 +24,16 @@ namespace kith::mpi {
 
 namespace detail {
 
-/// The edges, the fans and the neighbours of the faces that a rank has read, found out from the ranks that look after
-/// the vertices. The numbers are those of `match`: edges in the order of (smaller vertex, larger vertex).
+/// The edges, fans and neighbours of the faces that a rank has read. They are computed on the ranks that are
+/// responsible for the vertices. The numbers are those of `match`: edges in the order of (smaller vertex, larger
+/// vertex).
 template <class Point>
 class slice_links {
     using known = known_faces<Point>;
 
 public:
-    /// Collective. Errors: phase_error for edges of three faces, faces that are turned, and vertices without a face or
-    /// with several fans.
+    /// Computes the links. Collective. Errors: phase_error for edges of three or more faces, for faces of opposite
+    /// orientation, and for vertices without a face or with several fans.
     slice_links(communicator& comm, const std::string& path, const mesh_slice<Point>& slice, const slice_ranges& ranges)
         : comm_(comm), path_(path), slice_(slice), ranges_(ranges), degree_(std::size_t(slice.degree))
     {
@@ -74,7 +75,7 @@ public:
         return result;
     }
 
-    /// Returns the faces of other ranks that share a vertex with those of this rank, by rank. Collective.
+    /// Returns the faces of other ranks that share a vertex with the faces of this rank, by rank. Collective.
     std::vector<std::vector<global_id>> faces_around()
     {
         const auto asked = all_to_all(comm_, [&] {
@@ -116,7 +117,7 @@ private:
         global_id end, has_other;
     };
     struct fan_corner {
-        global_id vertex, corner, next, prev; // the vertices after and before it in the face
+        global_id vertex, corner, next, prev; // the vertices after and before `vertex` in the face
     };
 
     [[nodiscard]] std::size_t ranks() const { return std::size_t(comm_.size()); }
@@ -174,7 +175,7 @@ private:
                 ends_.push_back(answered[r][next[r]++]);
         });
     }
-    /// Numbers the edges of these halves from 0 on, and returns their count. Errors: mesh_error.
+    /// Numbers the edges of these half-edges from 0 on, and returns their count. Errors: mesh_error.
     global_id number_edges_among(const std::vector<std::vector<half>>& came,
                                  std::vector<std::vector<half_end>>& answers)
     {
@@ -196,7 +197,7 @@ private:
                 refuse(name() + ": faces " + std::to_string(first.corner / degree_) + " and " +
                        std::to_string(at(order[i + 1]).corner / degree_) +
                        " run through it in the same direction; reverse one of them");
-            for (std::size_t j = i; j < end; ++j) // side 0 leaves the smaller vertex, or is the only side there is
+            for (std::size_t j = i; j < end; ++j) // side 0 starts at the smaller vertex, or is the only side
                 answers[order[j].first][order[j].second] = {
                     2 * edges + (end - i == 2 and at(order[j]).is_forward == 0 ? 1 : 0), end - i == 2};
         }
@@ -227,7 +228,7 @@ private:
                     refuse("vertex " + std::to_string(id) + ": belongs to no face; remove it or give it a face");
                 const fan_lookup<std::remove_const_t<decltype(fan)>, &fan_corner::prev> at_prev(fan);
                 const auto start = start_of(fan, at_prev);
-                const global_id unknown = ~global_id(0); // at the boundary the rim tells it
+                const global_id unknown = ~global_id(0); // at the boundary the start follows from the boundary edges
                 const bool is_inner = at_prev(start->next) != fan.end();
                 facts_.push_back({id,
                                   is_inner ? start->corner / degree_ : unknown,
@@ -238,8 +239,8 @@ private:
             }
         });
     }
-    /// As in match: at the boundary the corner without a neighbour clockwise, inside the one that looks at the
-    /// smallest.
+    /// Returns the first corner of a fan, as `match` chooses it: at the boundary the corner without a clockwise
+    /// neighbour, inside the corner with the smallest next vertex. Errors: mesh_error for several fans.
     template <class Fan>
     auto start_of(const Fan& fan, const fan_lookup<Fan, &fan_corner::prev>& at_prev) const
     {
@@ -270,7 +271,7 @@ private:
     std::size_t degree_;
     global_id edges_ = 0;
     std::vector<half_end> ends_;                // of the corners of this rank
-    std::vector<fan_corner> fans_;              // of the vertices of this rank, vertex by vertex
+    std::vector<fan_corner> fans_;              // of the vertices of this rank, grouped by vertex
     std::vector<typename known::vertex> facts_; // of the vertices of this rank
 };
 

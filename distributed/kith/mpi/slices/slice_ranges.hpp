@@ -14,8 +14,8 @@
 
 namespace kith::mpi {
 
-/// The faces and vertices that each rank reads: rank r reads the faces from face[r] up to but without face[r + 1], and
-/// vertices likewise. The faces are those of block_partition.
+/// The faces and vertices that each rank reads: rank r reads the faces [face[r], face[r + 1]), and vertices likewise.
+/// The faces are those of block_partition.
 struct slice_ranges {
     std::vector<global_id> face, vertex;
 
@@ -25,7 +25,7 @@ struct slice_ranges {
         for (std::size_t r = 0; r <= parts; ++r) {
             vertex.push_back(vertices / parts * r + std::min<global_id>(r, vertices % parts));
             global_id low = 0;
-            for (global_id end = faces; low < end;) { // the first face of a part that is not smaller
+            for (global_id end = faces; low < end;) { // finds the first face whose part is not below r
                 const global_id middle = low + (end - low) / 2;
                 const auto part = kith::detail::block_of(
                     middle * global_id(degree), degree, faces * global_id(degree), parts);
@@ -46,7 +46,7 @@ private:
 };
 
 /// Rotates each face to start at its smallest vertex, as make_mesh does. Local. Errors: mesh_error for a face that
-/// contains a vertex twice, and for coordinates that are no finite numbers.
+/// contains a vertex twice, and for coordinates that are not finite.
 template <class Point>
 void start_at_smallest(mesh_slice<Point>& slice)
 {

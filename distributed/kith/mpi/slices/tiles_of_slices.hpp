@@ -23,7 +23,7 @@
 
 namespace kith::mpi {
 
-/// The tiles of a control mesh that no rank holds as a whole: one per rank, its number is that of the rank.
+/// The tiles of a control mesh that no rank holds as a whole: one tile per rank, with the number of the rank.
 template <class Point, std::unsigned_integral Index>
 struct sliced_mesh {
     std::vector<numbered_tile<tile<Point, Index>>> tiles; ///< of this rank
@@ -33,7 +33,8 @@ struct sliced_mesh {
 
 namespace detail {
 
-/// The owned faces of a rank and what touches them, as a tile with one ring of ghosts.
+/// Returns the faces of a slice and the faces that touch them, as a tile with one ring of ghosts and no owned marks.
+/// Collective.
 template <class Point, std::unsigned_integral Index>
 tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& slice, slice_links<Point>& links)
 {
@@ -62,8 +63,8 @@ tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& sl
     });
 }
 
-/// Marks what the tile owns: an element belongs to the owner of its smallest face. Precondition: a ring of ghosts
-/// around faces [first, end).
+/// Marks the elements that the tile owns: an element belongs to the owner of its face with the smallest number.
+/// Precondition: the tile has a ring of ghosts around faces [first, end).
 template <class Point, std::unsigned_integral Index>
 void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 {
@@ -89,9 +90,8 @@ void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 
 } // namespace detail
 
-/// Makes sure that all ranks can read a file, before they read their parts of it. Collective.
-/// Errors: phase_error with the path and the reason of the system and, if only some ranks cannot read it, with the rank
-/// and its host.
+/// Throws phase_error on all ranks unless all of them can read a file, before they read their parts of it. Collective.
+/// The message has the path and the reason of the system and, if only some ranks cannot read it, the rank and its host.
 inline void require_readable_on_all(communicator& comm, const std::string& path)
 {
     std::string problem = problem_of([&] { sliced_ply::require_readable(path); });
@@ -103,13 +103,13 @@ inline void require_readable_on_all(communicator& comm, const std::string& path)
     comm.agree(problem);
 }
 
-/// Reads a PLY file of triangles or of quads, each rank its part of the bytes, and returns one tile per rank with
-/// `rings` > 0 rings of ghosts: the tiles that tile_cutter makes of the mesh and its block_partition, with the numbers
-/// that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the vertex.
-/// Collective. Errors: phase_error for a file that a rank cannot read, for the contents of other kinds of files, and
-/// for a mesh that is no manifold.
-/// Cost: O(file / ranks) memory and work on each rank, and of the ghosts, but O(n log n) work for a vertex of n faces;
-/// about twenty messages at most to each rank.
+/// Reads a PLY file of triangles or of quads, each rank its part of the bytes. Returns one tile per rank with `rings` >
+/// 0 rings of ghosts: the tiles that tile_cutter makes of the mesh and its block_partition, with the numbers that
+/// make_mesh gives. The rank that reads a vertex is responsible for it and for its edges to vertices of larger number.
+/// Collective. Errors: phase_error for a file that a rank cannot read; for files of other kinds; and for a mesh that is
+/// not a manifold.
+/// Cost: O(file / ranks) memory and work on each rank, and that of the ghosts, but O(n log n) work for a vertex of n
+/// faces; at most about twenty messages to each rank.
 template <std::unsigned_integral Index = std::uint32_t>
 sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const std::string& path, int rings)
 {

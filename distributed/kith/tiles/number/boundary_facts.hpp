@@ -16,12 +16,12 @@
 
 namespace kith {
 
-/// A tuple at the boundary of the whole mesh that a column looks at, and what becomes of it.
+/// A tuple at the boundary of the whole mesh that a column visits, and its new element.
 struct boundary_fact {
-    std::uint64_t column = 0; ///< of those of one kind of new elements
+    std::uint64_t column = 0; ///< index of the column among the columns of one kind of new elements
     global_id tuple = 0;
-    std::int64_t corners_more = 0; ///< corners of the face it makes, if its degree is not fixed, beyond its own faces
-    std::uint64_t is_kept = 0;     ///< it gives birth; a whole word, so that a fact has no gaps
+    std::int64_t corners_more = 0; ///< if the new face has no fixed degree: its corners minus the faces of the tuple
+    std::uint64_t is_kept = 0;     ///< 1 if the tuple makes an element; a whole word, so that a fact has no padding
 
     friend auto operator<=>(const boundary_fact&, const boundary_fact&) = default;
 };
@@ -49,8 +49,8 @@ bool is_owned(const Tile& rim, const corner<Level>& c)
     return rim.owns_face(c.f().index());
 }
 
-/// Calls f with the number, in the tile, of each tuple at the boundary of the whole mesh. At a vertex, an edge or a
-/// corner that the tile owns its own boundary edges are those of the whole mesh.
+/// Calls f with the number, in the tile, of each owned tuple at the boundary of the whole mesh. At a vertex, an edge or
+/// a corner that the tile owns, the boundary edges of the tile are those of the whole mesh.
 template <tuple_kind Kind, tile_like Tile, level Level, class F>
 void for_boundary_tuples(const Tile& rim, const Level& level, const F& f)
 {
@@ -79,8 +79,8 @@ void add_boundary_facts(const column<Kind, Where, Degree>& c, std::uint64_t i, c
 
 } // namespace detail
 
-/// What a tile knows of the columns of one kind of new elements: the facts of the boundary that it owns.
-/// Precondition: it has a ring of ghosts. Cost: O(elements).
+/// Returns the facts of the owned boundary for the columns of one kind of new elements. Precondition: the tile has a
+/// ring of ghosts. Cost: O(elements).
 template <template <class...> class List, class... Columns, tile_like Tile>
 std::vector<boundary_fact> boundary_facts(const List<Columns...>& columns, const Tile& part)
 {

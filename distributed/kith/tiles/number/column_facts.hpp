@@ -21,18 +21,18 @@ inline constexpr bool has_columns_at_boundary<List<C...>> = (picks_at_boundary<d
 
 } // namespace detail
 
-/// A scheme whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
+/// The trait of schemes whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
 template <scheme Scheme>
 inline constexpr bool numbers_corners_at_vertices = has_faces_by_valence<Scheme>;
 
-/// A scheme that tells marked edges from others, by `is_marked(edge)` of its traits(), and whose tiles need
-/// `tile::marked_before`: 4-8. Its first column of edges has to be that of the unmarked ones, which are the marked ones
-/// of the next level. So marks are counted on level 0 only, where tiles are cut; from then on the marked edges are
-/// those that come first.
+/// The trait of schemes that mark some edges, by `is_marked(edge)` of their traits(), and whose tiles need
+/// `tile::marked_before`: 4-8. The first column of edges must be that of the unmarked edges, whose new edges are the
+/// marked ones of the next level. So marks are counted on level 0 only, where tiles are cut. On later levels the marked
+/// edges come first.
 template <scheme Scheme>
 inline constexpr bool marks_edges = detail::affine_vertices<Scheme>::by_marks;
 
-/// A scheme whose numbers depend on the boundary of the whole mesh.
+/// The trait of schemes whose numbers depend on the boundary of the whole mesh.
 template <scheme Scheme>
 inline constexpr bool numbers_boundary = numbers_corners_at_vertices<Scheme> or
                                          detail::has_columns_at_boundary<decltype(columns_type<Scheme>::vertices)> or
@@ -41,8 +41,8 @@ inline constexpr bool numbers_boundary = numbers_corners_at_vertices<Scheme> or
 
 namespace detail {
 
-/// Returns what the elements of a column come from in closed meshes: 0 faces and corners, 1 edges, 2 vertices, -1
-/// nothing.
+/// Returns the rank of the parents of a column's elements in closed meshes: 0 faces and corners, 1 edges, 2 vertices,
+/// -1 if the column makes nothing there.
 template <class Column>
 constexpr int rank_of_parents()
 {
@@ -74,9 +74,10 @@ constexpr bool come_from_no_vertices(const std::tuple<Columns...>*)
 
 } // namespace detail
 
-/// A scheme by which, in closed meshes, who owns an element owns its descendants. That is so if all new faces come from
-/// faces. Else no new edges and vertices come from vertices. And faces that come from faces have the smallest numbers,
-/// then those from edges, so that the first face around an element descends as it does.
+/// Requirements of a scheme by which, in closed meshes, the owner of an element owns its descendants. It holds if all
+/// new faces come from faces. Otherwise two conditions must hold. No new edges and vertices come from vertices. Faces
+/// that come from faces have the smallest numbers, then those from edges. The first face around an element then has the
+/// element's own ancestor.
 template <class Scheme>
 concept owners_keep_descendants =
     detail::come_from_faces(static_cast<const decltype(columns_type<Scheme>::faces.list)*>(nullptr)) or

@@ -13,10 +13,10 @@
 
 namespace kith {
 
-/// What no formula tells of a control mesh, whose faces have any degrees and whose edges are in any order: the corners
-/// of the faces before a face; where the scheme asks for them the faces at the vertices before a vertex
-/// (numbers_corners_at_vertices) and the marked edges before an edge (marks_edges). Of meshes of one degree it is one
-/// run, of others one for each change of degree.
+/// The numbers of a control mesh for which there is no formula, since its faces have any degrees and its edges any
+/// order. They are the corners of the faces before a face. If the scheme needs them, they are also the faces at the
+/// vertices before a vertex (numbers_corners_at_vertices) and the marked edges before an edge (marks_edges). They are
+/// stored in runs: one run for a mesh of one degree, otherwise one for each change of degree.
 struct control_numbers {
     prefix_sums corners_of_faces, faces_at_vertices, marked_edges;
 };
@@ -32,14 +32,14 @@ struct control_runs {
         to(faces_at_vertices, more.faces_at_vertices);
         to(marked_edges, more.marked_edges);
     }
-    /// Precondition: all are there.
+    /// Returns the numbers. Precondition: all runs of the mesh are here.
     [[nodiscard]] control_numbers joined() const
     {
         return {prefix_sums(corners_of_faces), prefix_sums(faces_at_vertices), prefix_sums(marked_edges)};
     }
 };
 
-/// Of a whole control mesh. Cost: O(elements).
+/// Returns all runs of a whole control mesh. Cost: O(elements).
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 control_runs control_runs_of(const basic_mesh<Point, Index>& mesh)
 {
@@ -63,7 +63,7 @@ control_runs control_runs_of(const basic_mesh<Point, Index>& mesh)
     return result;
 }
 
-/// Returns the runs of numbers that a tile of level 0 owns. Preconditions: the tile has a ring of ghosts, and the
+/// Returns the runs of the elements that a tile of level 0 owns. Preconditions: the tile has a ring of ghosts, and the
 /// scheme marks no edges. Cost: O(elements).
 template <scheme Scheme, tile_like Tile>
 control_runs control_runs_of(const Tile& part)

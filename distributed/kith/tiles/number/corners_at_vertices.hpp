@@ -11,22 +11,22 @@
 
 namespace kith {
 
-/// For schemes with faces that have as many corners as a vertex has faces: how many corners the vertices before a
-/// vertex have. Inside, all vertices that such a scheme makes have four faces; those at the boundary are listed.
+/// The number of face corners at the vertices before a vertex, for schemes whose new faces have as many corners as a
+/// vertex has faces. Inner vertices that these schemes make have four faces; boundary vertices are listed.
 class corners_at_vertices {
 public:
     corners_at_vertices() = default;
-    /// A vertex at the boundary of the whole mesh, and how many faces it has.
+    /// A vertex at the boundary of the whole mesh, and its number of faces.
     struct boundary_vertex {
         global_id id, faces;
     };
 
-    /// From a tile that owns all vertices at the boundary.
+    /// Takes the boundary from a tile that owns all vertices there.
     template <tile_like Tile>
     explicit corners_at_vertices(const Tile& rim) : corners_at_vertices(owned_at_boundary(rim))
     {
     }
-    /// From all vertices at the boundary, in any order.
+    /// Takes all vertices at the boundary, in any order.
     explicit corners_at_vertices(std::vector<boundary_vertex> all)
     {
         std::ranges::sort(all, {}, &boundary_vertex::id);
@@ -36,7 +36,7 @@ public:
             fewer_.push_back(fewer += 4 - std::int64_t(faces));
         }
     }
-    /// Those that a tile owns.
+    /// Returns the vertices at the boundary that a tile owns.
     template <tile_like Tile>
     static std::vector<boundary_vertex> owned_at_boundary(const Tile& part)
     {
@@ -53,7 +53,7 @@ public:
         const auto n = std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin();
         return 4 * vertex - global_id(n == 0 ? 0 : fewer_[std::size_t(n - 1)]);
     }
-    /// Gives all vertices of a tile these numbers.
+    /// Sets `corners_before` of all vertices of a tile.
     template <tile_like Tile>
     void number(Tile& tile) const
     {
@@ -64,7 +64,7 @@ public:
 
 private:
     std::vector<global_id> vertices_;
-    std::vector<std::int64_t> fewer_; // than four, in sum
+    std::vector<std::int64_t> fewer_; // sums of four minus the number of faces
 };
 
 } // namespace kith

@@ -17,14 +17,15 @@
 
 namespace kith {
 
-/// Ancestors and descendants in a whole mesh that no rank holds, over any number of levels, by the numbers of elements
-/// alone: the answers of `hierarchy`. It holds no element, so it is the same on all ranks and for all tiles, wherever
-/// they lie. Local.
-/// Errors of all functions: mesh_error for levels and elements that are not there.
+/// The ancestors and descendants in a whole mesh that no rank holds, over any number of levels. It gives the answers of
+/// `hierarchy` from the numbers of elements alone. It holds no elements, so it is the same on all ranks and for all
+/// tiles, wherever they lie. Local.
+/// Errors of all functions: mesh_error for levels and elements that do not exist.
 template <declared_columns Columns>
 class global_lineage {
 public:
-    /// `counts` and `corners` of each level, `steps` from one to the next.
+    /// Takes `counts` and `corners` of each level, `steps` from each level to the next, and the numbers of the control
+    /// mesh.
     global_lineage(std::vector<global_counts> counts, std::vector<global_numbering<Columns>> steps,
                    std::vector<corners_at_vertices> corners, control_numbers control)
         : counts_(std::move(counts))
@@ -40,7 +41,7 @@ public:
         steps_[0].faces.tell_marks(marks);
     }
 
-    /// The number of the last level.
+    /// Returns the number of the last level.
     [[nodiscard]] int depth() const { return int(steps_.size()); }
     [[nodiscard]] const global_counts& counts(int level) const
     {
@@ -48,16 +49,17 @@ public:
         return counts_[std::size_t(level)];
     }
 
-    /// The tuple of elements of level-1 that gave birth to an element of `level`. Errors: also for level 0. Cost: O(log
-    /// n).
+    /// Returns the tuple of elements of level-1 from which an element of `level` was made. Errors: also for level 0.
+    /// Cost: O(log n).
     [[nodiscard]] global_tuple origin(int level, const numbered_element& x) const
     {
         require(level, x);
         detail::require_origins(level);
         return origin_of(level, x);
     }
-    /// The element of a coarser level from which an element of `level` descends, by the rule of hierarchy::ancestor.
-    /// Errors: unless coarser <= level. Cost: O(log n) per level, O(log^2 n) where vertices tell the degrees of faces.
+    /// Returns the element of a coarser level from which an element of `level` descends, by the rule of
+    /// hierarchy::ancestor. Errors: unless coarser <= level. Cost: O(log n) per level; O(log^2 n) if vertices determine
+    /// the degrees of faces.
     [[nodiscard]] numbered_element ancestor(int level, numbered_element x, int coarser) const
     {
         require(level, x);
@@ -69,7 +71,7 @@ public:
         }
         return x;
     }
-    /// The elements of a finer level that have this element of `level` as their ancestor, as ranges of numbers. Errors:
+    /// Returns the elements of a finer level whose ancestor is this element of `level`, as ranges of numbers. Errors:
     /// unless level <= finer. Cost: O(log n) per range and level; ranges are few.
     [[nodiscard]] element_ranges descendants(int level, const numbered_element& x, int finer) const
     {
@@ -92,7 +94,7 @@ private:
         default: return step.faces.origin(x.number);
         }
     }
-    /// Of a face, or of the number of faces.
+    /// Returns the first corner of a face, or for the number of faces the number of corners.
     [[nodiscard]] global_id first_corner(int level, global_id face) const
     {
         if (face == counts_[std::size_t(level)].faces)
@@ -107,7 +109,7 @@ private:
             return control_.corners_of_faces.holder(corner);
         return steps_[std::size_t(level - 1)].faces.face_of(corner, corners_before_tuple(level - 1));
     }
-    /// Of tuples (f) and (v) of a level.
+    /// Returns a function that gives the number of corners before a tuple (f) or (v) of a level.
     [[nodiscard]] auto corners_before_tuple(int level) const
     {
         return [this, level](const global_tuple& tuple) -> global_id {

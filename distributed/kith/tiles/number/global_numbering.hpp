@@ -23,8 +23,8 @@ namespace kith {
 
 namespace detail {
 
-/// The last number from `begin` to before `end` for which `holds`, which is so for none after one for which it is not.
-/// Precondition: it holds for `begin`.
+/// Returns the last number of [begin, end) for which `holds`. Preconditions: it holds for `begin`, and for no number
+/// after one for which it does not hold.
 template <std::predicate<global_id> Holds>
 global_id last_where(global_id begin, global_id end, const Holds& holds)
 {
@@ -35,20 +35,21 @@ global_id last_where(global_id begin, global_id end, const Holds& holds)
     return begin;
 }
 
-/// The tuples of a column that make elements in a mesh that no rank holds. Where the boundary leaves tuples out
-/// (`inside`, `on_boundary`), the exceptions are kept: they are few, since they lie along curves. Where marks of edges
-/// decide, the tuple knows how many there are before it; without one the marked edges come first, unless marks are
-/// told.
+/// The tuples of a column that make elements, in a mesh that no rank holds. If the boundary decides (`inside`,
+/// `on_boundary`), the list stores the exceptions, which are few, since they lie along curves. If marks of edges
+/// decide, the tuple has the number of marked edges before it; otherwise marked edges come first, unless `tell` was
+/// called.
 class exception_list {
 public:
     exception_list() = default;
-    /// By marks: how many are picked before a tuple, and the inverse, see numbers_by_marks.
+    /// Takes two functions for marks: the number of picked tuples before a tuple, and its inverse; see
+    /// numbers_by_marks.
     using count_by_marks = global_id (*)(global_id, global_id);
     exception_list(count_by_marks before, count_by_marks picked, global_id tuples, global_id marked)
         : count_(before(tuples, marked)), tuples_(tuples), marked_edges_(marked), before_(before), picked_(picked)
     {
     }
-    /// By the boundary, of which the facts are all, in their order.
+    /// Takes all facts of the boundary, in their order.
     template <class Facts>
     exception_list(bool inner, global_id tuples, const Facts& facts) : exceptions_are_all_(not inner)
     {
@@ -63,7 +64,7 @@ public:
         count_ = inner ? tuples - excluded : kept;
     }
 
-    /// How many edges before an edge are marked, where those do not come first.
+    /// Sets the number of marked edges before each edge, for a level on which the marked edges do not come first.
     void tell(const std::shared_ptr<const prefix_sums>& marks)
     {
         if (before_ != nullptr)
@@ -87,7 +88,7 @@ public:
     }
     [[nodiscard]] global_id tuple(global_id rank, std::size_t each) const
     {
-        if (marks_ != nullptr) { // of the last element before which no more are picked than before this tuple
+        if (marks_ != nullptr) { // finds the last element before which at most `rank` tuples are picked
             const auto begin = [&](global_id element) { return before_(each * element, marked_before(element)); };
             const global_id element = last_where(
                 0, tuples_ / each, [&](global_id candidate) { return begin(candidate) <= rank; });
@@ -97,7 +98,7 @@ public:
             return picked_(rank, marked_edges_);
         if (exceptions_are_all_)
             return exceptions_[rank];
-        // Behind the last exception up to which no more than `rank` tuples give birth, counting itself.
+        // Finds the last exception up to which, including itself, at most `rank` tuples make elements.
         std::size_t n = 0;
         for (std::size_t end = exceptions_.size(); n < end;) {
             const std::size_t middle = (n + end) / 2;
@@ -124,15 +125,15 @@ private:
     {
         return std::size_t(std::ranges::lower_bound(exceptions_, tuple) - exceptions_.begin());
     }
-    /// Of the first n exceptions those that the column leaves out.
+    /// Returns how many of the first n exceptions the column leaves out.
     [[nodiscard]] global_id excluded_before(std::size_t n) const { return n == 0 ? 0 : excluded_[n - 1]; }
 
     global_id count_ = 0, tuples_ = 0, marked_edges_ = 0;
     count_by_marks before_ = nullptr, picked_ = nullptr;
     std::shared_ptr<const prefix_sums> marks_;
     bool exceptions_are_all_ = false;
-    std::vector<global_id> exceptions_, excluded_; // tuples at the boundary, increasing; sums
-    std::vector<std::int64_t> corners_more_;       // sums of the corners they have beyond their faces
+    std::vector<global_id> exceptions_, excluded_; // boundary tuples, increasing; sums
+    std::vector<std::int64_t> corners_more_;       // sums of the corners of new faces minus the faces of tuples
 };
 
 template <tuple_kind Kind, class Where, class Degree>
@@ -152,7 +153,7 @@ consteval void require_closed_form(const column<Kind, Where, Degree>*)
 
 } // namespace detail
 
-/// The ids of all new elements of one kind in the whole mesh: column_numbers over what is known of it.
+/// The global numbers of all new elements of one kind: column_numbers with the facts of the whole mesh.
 template <class List>
 class global_column_ids;
 template <template <class...> class List, class... Columns>
@@ -164,7 +165,7 @@ public:
     static constexpr auto kinds = numbers::kinds;
 
     global_column_ids() = default;
-    /// From the counts of the coarse level and the facts of all of its boundary, in any order.
+    /// Takes the counts of the coarse level and the facts of its whole boundary, in any order.
     global_column_ids(const global_counts& whole, const List<Columns...>& columns, std::vector<boundary_fact> facts)
     {
         (detail::require_closed_form(static_cast<const Columns*>(nullptr)), ...);
@@ -185,42 +186,42 @@ public:
 
     [[nodiscard]] global_id total() const { return numbers_.total(); }
     [[nodiscard]] global_id count(std::size_t column) const { return numbers_.count(column); }
-    /// The corners of all new faces.
+    /// Returns the number of corners of all new faces.
     [[nodiscard]] global_id total_corners() const { return numbers_.total_corners(); }
 
-    /// The id that belongs to a tuple. Precondition: the scheme makes one.
+    /// Returns the number of the element that a tuple makes. Precondition: the scheme makes one.
     [[nodiscard]] global_id id(const global_tuple& tuple) const
     {
         return numbers_.number(numbers::position(tuple.kind), tuple, tuples_per_element(tuple.kind));
     }
-    /// The ids in column i of tuples that follow one another, all those of some elements. Preconditions and cost: as
-    /// origin.
+    /// Returns the numbers in column i of consecutive tuples, which are all tuples of some elements. Preconditions and
+    /// cost: as origin.
     [[nodiscard]] number_range ids(std::size_t i, const number_range& tuples) const
     {
         return numbers_.numbers(i, tuples);
     }
-    /// Where marks decide: how many edges before an edge are marked, on level 0, where those do not come first.
+    /// Sets the number of marked edges before each edge of level 0, where the marked edges do not come first.
     void tell_marks(const std::shared_ptr<const prefix_sums>& marks)
     {
         for (std::size_t i = 0; i < size; ++i)
             numbers_.picked(i).tell(marks);
     }
-    /// The inverse: the tuple that gave birth to an element, without the corners before it.
-    /// Preconditions: id < total(); where marks decide, the marked edges come first, as they do on all levels but 0, or
-    /// marks are told. Cost: O(log exceptions); where marks are told O(log elements log runs).
+    /// Returns the tuple that makes an element, without its corners_before. It is the inverse of `id`. Preconditions:
+    /// id < total(); if marks decide, the marked edges come first, as on all levels but 0, or tell_marks was called.
+    /// Cost: O(log exceptions); after tell_marks O(log elements log runs).
     [[nodiscard]] global_tuple origin(global_id id) const
     {
         const auto [kind, tuple] = numbers_.origin(id);
         return {kind, tuple, 0, kind == tuple_kind::ve ? tuple / 2 : tuple};
     }
-    /// The first corner of a new face. Where its degree is that of a face (the number of faces at a vertex) the tuple
-    /// has to know the corners before it.
+    /// Returns the first corner of a new face. If the degree of the face is that of a face or the valence of a vertex,
+    /// the tuple must have its corners_before.
     [[nodiscard]] global_id first_corner(const global_tuple& tuple) const
     {
         return numbers_.first_corner(numbers::position(tuple.kind), tuple);
     }
-    /// The same by the number of the face; `corners_before(tuple)` tells those before a tuple (f) or (v) of the coarse
-    /// level.
+    /// Returns the first corner of the new face with this number. `corners_before(tuple)` returns the number of corners
+    /// before a tuple (f) or (v) of the coarse level.
     template <class CornersBefore>
         requires std::is_invocable_r_v<global_id, const CornersBefore&, const global_tuple&>
     [[nodiscard]] global_id first_corner(global_id face, const CornersBefore& corners_before) const
@@ -232,8 +233,8 @@ public:
         tuple.corners_before = corners_before(tuple);
         return first_corner(tuple);
     }
-    /// The inverse: the face that has a corner. Precondition: corner < total_corners(). Cost: O(1) where the column
-    /// says the degree of its faces, else O(log faces) times that of first_corner.
+    /// Returns the face that has a corner. It is the inverse of first_corner. Precondition: corner < total_corners().
+    /// Cost: O(1) if the column fixes the degree of its faces, else O(log faces) times that of first_corner.
     template <class CornersBefore>
         requires std::is_invocable_r_v<global_id, const CornersBefore&, const global_tuple&>
     [[nodiscard]] global_id face_of(global_id corner, const CornersBefore& corners_before) const
@@ -250,7 +251,7 @@ private:
     numbers numbers_;
 };
 
-/// The ids of all new elements of one step in the whole mesh.
+/// The global numbers of all new elements of one step.
 template <declared_columns Columns>
 struct global_numbering {
     global_column_ids<decltype(Columns::vertices)> vertices;
@@ -258,13 +259,13 @@ struct global_numbering {
     global_column_ids<decltype(Columns::faces)> faces;
 
     global_numbering() = default;
-    /// From a tile of the coarse level that owns all faces at the boundary and has a ring of ghosts.
+    /// Takes a tile of the coarse level that owns all faces at the boundary and has a ring of ghosts.
     template <tile_like Tile>
     global_numbering(const global_counts& whole, const Columns& columns, const Tile& rim)
         : global_numbering(whole, columns, facts_at_boundary(columns, rim))
     {
     }
-    /// From the facts of all of the boundary: of vertices, edges and faces.
+    /// Takes the facts of the whole boundary for the columns of vertices, edges and faces.
     global_numbering(const global_counts& whole, const Columns& columns,
                      std::array<std::vector<boundary_fact>, 3> facts)
         : vertices(whole, columns.vertices, std::move(facts[0]))

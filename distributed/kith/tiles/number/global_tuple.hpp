@@ -8,17 +8,18 @@
 
 namespace kith {
 
-/// A tuple of elements of a tile, as it is numbered in the whole mesh of that level.
+/// A tuple of elements of a tile with its number in the whole mesh of the level.
 struct global_tuple {
     tuple_kind kind = tuple_kind::v;
     global_id id = 0;             ///< among all tuples of the kind
-    global_id corners_before = 0; ///< (v), (f): corners at, or of, those before it; of vertices where the tile knows it
-    global_id marked_before = 0;  ///< (e), (v,e): marked edges before the edge, if those are not all that come first
+    global_id corners_before = 0; ///< (v), (f): corners at, or of, those before it; for (v) only if the tile has them
+    global_id marked_before = 0;  ///< (e), (v,e): marked edges before the edge, if the marked ones do not come first
 };
 
 namespace detail {
 
-/// Of a tuple that is listed with an element of the tile (`parent_kind`).
+/// Returns the global tuple of a tuple of a tile; `parent` is the element of the tile to which it belongs
+/// (`parent_kind`).
 template <tuple_kind Kind, tile_like Tile>
 global_tuple in_whole(const Tile& tile, std::size_t parent, std::size_t tuple)
 {

@@ -18,7 +18,7 @@ namespace kith {
 
 namespace detail {
 
-/// Whether a column gives birth to a face at this element.
+/// Returns true if a column makes a face from this element.
 template <class Where, class Element>
 bool makes_face(const Where& where, const Element& element)
 {
@@ -32,7 +32,7 @@ bool makes_face(const Where& where, const Element& element)
         return bool(where.keep(element));
 }
 
-/// Returns the largest degree of the faces that a column makes at the elements for which `is_ours` holds.
+/// Returns the largest degree of the faces that a column makes from the elements for which `is_ours` holds.
 template <tuple_kind Kind, class Where, class Degree, level Level, class IsOurs>
 std::size_t largest_degree_in(const column<Kind, Where, Degree>& c, const Level& level, const IsOurs& is_ours)
 {
@@ -68,17 +68,16 @@ std::size_t largest_degree(const basic_mesh<Point, Index>& mesh, const Scheme& s
 
 } // namespace detail
 
-/// Returns the largest degree of the faces of level `levels`, where that is more than a few: the type in which PLY
-/// counts corners follows from it. Faces larger than those of a regular mesh come from faces and vertices of the
-/// control mesh in the first step, and later steps keep their degree. Precondition: the mesh has its edges.
-/// Cost: O(elements).
+/// Returns the largest degree of the faces of level `levels`, at least if it is larger than that of a regular mesh. The
+/// type in which PLY counts corners follows from it. Larger faces come from faces and vertices of the control mesh in
+/// the first step, and later steps keep their degree. Precondition: the mesh has its edges. Cost: O(elements).
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 std::size_t largest_degree(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels)
 {
     return detail::largest_degree(control, scheme, levels, [](const auto&) { return true; });
 }
-/// Same as above, but of what a tile of the control mesh owns; the maximum over all tiles is that of the mesh.
-/// Precondition: the tile has a ring of ghosts. Local.
+/// Returns the largest degree for the elements that a tile of the control mesh owns; the maximum over all tiles is that
+/// of the mesh. Precondition: the tile has a ring of ghosts. Local.
 template <scheme Scheme, tile_like Tile>
 std::size_t largest_degree(const Tile& part, const Scheme& scheme, int levels)
 {

@@ -19,10 +19,10 @@
 
 namespace kith::detail {
 
-/// What one step makes of a tile: the numbers of the new elements in the whole mesh, and whether the tile owns them.
-/// A new face belongs to whom the coarse face belongs that it came from. So does a vertex or an edge that a face, or a
-/// corner of it, gave birth to; every other one belongs to the first of the new faces around it. They are all here when
-/// all old ones around the tuple are.
+/// The new elements that one step makes from a tile: their global numbers, and whether the tile owns them. The owner of
+/// a coarse element owns the new faces that come from it. The owner of a face also owns the vertices and edges that
+/// come from the face or its corners; any other new vertex or edge is owned by the owner of the first new face around
+/// it. These new faces are all in the tile if all coarse faces around the tuple are.
 template <tile_like Tile, scheme Scheme>
 class new_elements {
     using index = typename Tile::index_type;
@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] const tuple_facts<Tile>& facts() const { return facts_; }
 
-    /// Of each new face whether the tile owns it.
+    /// Returns for each new face 1 if the tile owns it, else 0.
     [[nodiscard]] std::vector<unsigned char> owned_faces() const
     {
         std::vector<unsigned char> result(ids_.faces.total());
@@ -47,10 +47,10 @@ public:
         });
         return result;
     }
-    // Numbers and marks are written in separate loops: a byte that is written may be one of anything, so that the
-    // compiler reads everything anew after it.
+    // Numbers and marks are written in separate loops: a byte may alias any object, so the compiler reloads everything
+    // after each write of one.
 
-    /// Writes of the faces with these numbers, which increase, what a tile of them knows.
+    /// Sets the numbers, marks and roots in `next` of the new faces `faces`, which increase.
     void number_faces(Tile& next, std::span<const index> faces, const std::vector<unsigned char>& owned) const
     {
         next.face_ids = storage<global_id>(faces.size());
@@ -69,8 +69,8 @@ public:
         for (std::size_t at = 0; at < faces.size(); ++at)
             next.face_marks[at] = owned[faces[at]] != 0 ? owned_mark : 0;
     }
-    /// The same of vertices, which may come several times. `owns_first_face(vertex)` says whether the first of the new
-    /// faces around a new vertex is owned.
+    /// Sets the numbers and marks in `next` of the new vertices `vertices`, which may occur several times.
+    /// `owns_first_face(vertex)` returns true if the first of the new faces around a new vertex is owned.
     template <std::predicate<index> F>
     void number_vertices(Tile& next, std::span<const index> vertices, const F& owns_first_face) const
     {
@@ -82,7 +82,8 @@ public:
             next.vertex_marks[at] = mine ? owned_mark : 0;
         });
     }
-    /// The same of edges. A part of an edge is directed as the edge is; of other marks nothing is said.
+    /// Sets the numbers and marks in `next` of the new edges `edges`. A part of a coarse edge has the direction of that
+    /// edge and its turned_mark; cut_mark is not set.
     template <std::predicate<index> F>
     void number_edges(Tile& next, std::span<const index> edges, const F& owns_first_face) const
     {
@@ -97,7 +98,7 @@ public:
     }
 
 private:
-    static constexpr bool is_mixed = numbers::common_degree == 0; // if not here, then elsewhere
+    static constexpr bool is_mixed = numbers::common_degree == 0; // in the whole mesh, if not in this tile
 
     /// Calls f.operator()<kind>(number, parent, tuple) for all new elements of a kind, in the order of their numbers.
     template <element_ids Ids, class F>
@@ -121,8 +122,8 @@ private:
             (in_column.template operator()<Ids::kinds[I]>(), ...);
         }(std::make_index_sequence<Ids::size>());
     }
-    /// Calls f.operator()<kind>(place, parent, tuple) for all places in a list of new elements, which increase: in the
-    /// order of their tuples they are numbered.
+    /// Calls f.operator()<kind>(place, parent, tuple) for each place in an increasing list of new elements. New
+    /// elements are numbered in the order of their tuples.
     template <element_ids Ids, class F>
     void for_each_of(const Ids& ids, std::span<const index> listed, const F& f) const
     {
@@ -152,7 +153,7 @@ private:
         else
             return coarse_.owns_face(parent);
     }
-    /// All faces that a vertex or an edge has in the whole mesh are here.
+    /// Returns true if the tile has all faces that a vertex or an edge has in the whole mesh.
     template <tuple_kind Kind>
     [[nodiscard]] bool is_complete(std::size_t parent) const
     {
@@ -161,7 +162,7 @@ private:
         else
             return not coarse_.is_cut(parent);
     }
-    /// Of the faces at the parent the one with the smallest number.
+    /// Returns the face with the smallest number at the parent.
     template <tuple_kind Kind>
     [[nodiscard]] std::size_t face_at(std::size_t parent) const
     {
@@ -186,7 +187,7 @@ private:
     tuple_facts<Tile> facts_;
 };
 
-/// Of each vertex of a mesh with these owned faces whether that of its faces with the smallest number is one.
+/// Returns for each vertex of a mesh 1 if its face with the smallest number is owned, else 0.
 template <class Point, std::unsigned_integral Index>
 std::vector<unsigned char> owned_first_faces(const basic_mesh<Point, Index>& mesh,
                                              const std::vector<unsigned char>& is_owned)

@@ -9,36 +9,36 @@
 
 namespace kith {
 
-/// Elements that follow one another and have equally much of something: the first, how much those before it have in
-/// sum, and how much each of them has.
+/// A run of consecutive elements with equal counts of something, such as corners: the first element, the sum of the
+/// counts before it, and the count of each element.
 struct equal_run {
     global_id first, before, each;
 };
 
-/// How much of something the elements before an element have in sum, such as corners of faces, kept as runs of elements
-/// that have equally much: one run where all faces are quads. The last run goes on for ever.
+/// The prefix sums of a count per element, such as the corners of faces, stored as runs of elements with equal counts.
+/// A mesh of quads has one run. The last run has no end.
 class prefix_sums {
 public:
     prefix_sums() = default;
-    /// From runs of all elements, in any order. Cost: O(runs log runs).
+    /// Takes runs of all elements, in any order. Cost: O(runs log runs).
     explicit prefix_sums(std::vector<equal_run> runs) : runs_(std::move(runs))
     {
         std::ranges::sort(runs_, {}, &equal_run::first);
-        const auto end = std::ranges::unique(runs_, {}, &equal_run::each).begin(); // what follows is the same run
+        const auto end = std::ranges::unique(runs_, {}, &equal_run::each).begin(); // runs of equal counts are joined
         runs_.erase(end, runs_.end());
     }
 
     [[nodiscard]] bool empty() const { return runs_.empty(); }
     [[nodiscard]] const std::vector<equal_run>& runs() const { return runs_; }
 
-    /// Precondition: not empty(). Cost: O(log runs).
+    /// Returns the sum of the counts of the elements before an element. Precondition: not empty(). Cost: O(log runs).
     [[nodiscard]] global_id before(global_id element) const
     {
         const auto& run = *(std::ranges::upper_bound(runs_, element, {}, &equal_run::first) - 1);
         return run.before + (element - run.first) * run.each;
     }
-    /// The inverse: the element that has the n-th of what is counted. Preconditions: there are so many, and element 0
-    /// is in a run. Cost: O(log runs).
+    /// Returns the element that has the n-th of the counted items. It is the inverse of `before`. Preconditions: there
+    /// are more than n items, and element 0 is in a run. Cost: O(log runs).
     [[nodiscard]] global_id holder(global_id n) const
     {
         const auto& run = *(std::ranges::upper_bound(runs_, n, {}, &equal_run::before) - 1);
@@ -49,7 +49,7 @@ private:
     std::vector<equal_run> runs_;
 };
 
-/// Runs that are made element by element, in the order of their numbers; some may be left out.
+/// The runs of elements that are added in the order of their numbers; some may be left out.
 class run_builder {
 public:
     void add(global_id element, global_id before, global_id each)

@@ -11,7 +11,8 @@
 
 namespace kith {
 
-/// Marks the vertices that have faces in the whole mesh which are not here. Precondition: the tile has its edges.
+/// Marks the vertices that have faces in the whole mesh which are not in the tile. Precondition: the tile has its
+/// edges.
 template <tile_like Tile>
 std::vector<unsigned char> incomplete_vertices(const Tile& part)
 {
@@ -26,13 +27,13 @@ std::vector<unsigned char> incomplete_vertices(const Tile& part)
 
 namespace detail {
 
-/// Where elements of a tile end: at the boundary of the whole mesh, or where the tile was cut off.
+/// The facts that tell the boundary of the whole mesh from the cuts of a tile.
 template <tile_like Tile>
 class tuple_facts {
 public:
     using level_type = level_of<basic_mesh<typename Tile::point_type, typename Tile::index_type>>;
 
-    /// Cost: O(elements).
+    /// Takes a tile with its edges. Cost: O(elements).
     explicit tuple_facts(const Tile& coarse)
         : coarse_(coarse), level_(coarse.mesh), is_incomplete_(incomplete_vertices(coarse))
     {
@@ -40,9 +41,9 @@ public:
 
     [[nodiscard]] const level_type& level() const { return level_; }
 
-    /// Returns whether an edge with one face, which a tuple gives birth to, is at the boundary of the whole mesh. Such
-    /// an edge lacks the face of an edge of the tuple that has one face, or else that of its vertex, which dual schemes
-    /// give to vertices whose faces are all here.
+    /// Returns true if a new edge with one face, made from this tuple, is at the boundary of the whole mesh. The
+    /// missing face is that of an edge of the tuple that has one face. Otherwise it is the face of the tuple's vertex,
+    /// which dual schemes make if all faces of the vertex are in the tile.
     [[nodiscard]] bool is_at_true_boundary(tuple_kind kind, std::size_t tuple) const
     {
         switch (kind) {
@@ -59,13 +60,13 @@ public:
         default: return not coarse_.is_cut(level_.corners()[tuple].next_edge().index());
         }
     }
-    /// All faces that a vertex has in the whole mesh are here.
+    /// Returns true if the tile has all faces that a vertex has in the whole mesh.
     [[nodiscard]] bool is_complete(std::size_t vertex) const { return is_incomplete_[vertex] == 0; }
 
 private:
     const Tile& coarse_;
     level_type level_;
-    std::vector<unsigned char> is_incomplete_; // vertices
+    std::vector<unsigned char> is_incomplete_; // per vertex
 };
 
 } // namespace detail

@@ -21,26 +21,26 @@
 
 namespace kith {
 
-/// An array of values at the elements of a file: vertices, faces or, where the format has room for it, corners.
+/// An array of values at the elements of a file: vertices, faces or, if the format can hold them, corners.
 struct file_array {
     std::string name;
     field_on on;
-    std::string type;                 ///< of its numbers, in VTK's word
-    std::size_t numbers;              ///< of each value
-    std::size_t bytes;                ///< of each value
-    std::vector<std::string> words{}; ///< for which the values stand, if they are numbers of words
+    std::string type;                 ///< of its numbers, in VTK's notation
+    std::size_t numbers;              ///< per value
+    std::size_t bytes;                ///< per value
+    std::vector<std::string> words{}; ///< the words that the values stand for, if they are numbers of words
 };
 
-/// The values that a tile has for such an array: of all its elements, in their order.
+/// The values of a tile for one array: of all its elements, in their order.
 using value_bytes = std::span<const std::byte>;
 
-/// A field of a scheme, and the name that it has in files: `find(scheme)` returns the field of any scheme of its type.
+/// A field of a scheme with its name in files. `find(scheme)` returns the field of any scheme of the type.
 template <class Find>
 struct named_field {
     std::string name;
     Find find;
 };
-/// Field number I of a scheme with_fields.
+/// Returns field number I of a scheme with_fields, named `name`.
 template <std::size_t I>
 auto field_named(std::string name)
 {
@@ -88,13 +88,13 @@ file_array array_of(const named_field<Find>& named)
 
 } // namespace detail
 
-/// The arrays of a file that fields of schemes of this type are written to.
+/// Returns the arrays of a file to which fields of schemes of this type are written.
 template <scheme Scheme, class... Find>
 std::vector<file_array> arrays_of(const named_field<Find>&... fields)
 {
     return {detail::array_of<Scheme>(fields)...};
 }
-/// The values that a scheme has for these arrays.
+/// Returns the values of a scheme for these arrays.
 template <scheme Scheme, class... Find>
 std::vector<value_bytes> values_of(const Scheme& scheme, const named_field<Find>&... fields)
 {
@@ -103,7 +103,7 @@ std::vector<value_bytes> values_of(const Scheme& scheme, const named_field<Find>
 
 namespace detail {
 
-/// How many elements a tile has that a field may have values on, and what they are called.
+/// Returns the number of the elements of a tile on which a field may have values, and their name in the plural.
 template <tile_like Tile>
 std::pair<std::size_t, const char*> elements_of(const Tile& part, field_on where)
 {
@@ -113,7 +113,7 @@ std::pair<std::size_t, const char*> elements_of(const Tile& part, field_on where
                                     : std::pair(part.mesh.corner_count(), "corners");
 }
 
-/// Calls f(number in the whole mesh, first byte of the value) for each element that the tile owns.
+/// Calls f(global number, first byte of the value) for each element that the tile owns.
 template <tile_like Tile, class F>
 void for_each_owned_value(const Tile& part, const file_array& array, value_bytes values, const F& f)
 {
@@ -137,7 +137,7 @@ void for_each_owned_value(const Tile& part, const file_array& array, value_bytes
 
 } // namespace detail
 
-/// Errors: mesh_error unless there is a value for each vertex, face or corner of the tile.
+/// Throws mesh_error unless there is a value for each vertex, face or corner of the tile in each array.
 template <tile_like Tile>
 void require_values(const Tile& part, const std::vector<file_array>& arrays, std::span<const value_bytes> values)
 {
@@ -154,8 +154,8 @@ void require_values(const Tile& part, const std::vector<file_array>& arrays, std
     }
 }
 
-/// Of the values at all elements that a tile owns: like the checksum of a mesh it is a sum, which does not depend on
-/// tiles.
+/// Returns the checksum of the values at all elements that a tile owns. It is a sum over the elements, as that of a
+/// mesh, so the sum over all tiles does not depend on the tiles.
 template <tile_like Tile>
 mesh_checksum checksum_of_values(const Tile& part, const std::vector<file_array>& arrays,
                                  std::span<const value_bytes> values)

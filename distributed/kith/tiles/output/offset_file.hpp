@@ -21,12 +21,12 @@
 
 namespace kith {
 
-/// A file that cannot be written, or read back; the text begins with its path.
+/// The error of a file that cannot be written, or read back; the message begins with its path.
 struct write_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Where bytes go that have their place.
+/// The interface for writing bytes at given offsets.
 struct placed_bytes {
     placed_bytes() = default;
     placed_bytes(const placed_bytes&) = delete;
@@ -35,11 +35,11 @@ struct placed_bytes {
     virtual void write(std::uint64_t offset, const void* data, std::size_t size) = 0;
 };
 
-/// A file that many write at the same time, each its own bytes at their place: POSIX only, no MPI-IO, whose offsets
-/// have overflowed in one version or another of every implementation.
+/// A file that many processes write at the same time, each its own bytes at their offsets. It uses POSIX only: in every
+/// implementation of MPI-IO some version overflowed its offsets.
 class offset_file final : public placed_bytes {
 public:
-    /// Makes the file, of this size, or opens one that was made so. Errors: write_error.
+    /// Makes the file with this size (create), or opens an existing one (open). Errors: write_error.
     static offset_file create(const std::string& path, std::uint64_t size)
     {
         offset_file file(path, O_RDWR | O_CREAT | O_TRUNC);
@@ -47,7 +47,7 @@ public:
         return file;
     }
     static offset_file open(const std::string& path) { return offset_file(path, O_RDWR); }
-    /// The same for a file that may be there already, which keeps what it holds. Errors: write_error.
+    /// Opens a file and keeps its contents, or makes it; its size is then `size`. Errors: write_error.
     static offset_file create_or_keep(const std::string& path, std::uint64_t size)
     {
         offset_file file(path, O_RDWR | O_CREAT);
@@ -67,7 +67,7 @@ public:
     }
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// Errors: write_error, also for what a full disk shows when the file is closed.
+    /// Closes the file. Errors: write_error, also for a full disk that is noticed only now.
     void close()
     {
         if (::close(std::exchange(descriptor_, -1)) != 0)
@@ -78,25 +78,25 @@ public:
         if (::ftruncate(descriptor_, off_t(size)) != 0)
             refuse("cannot be made " + std::to_string(size) + " bytes large");
     }
-    /// Returns when what was written is on the disk. Errors: write_error.
+    /// Returns when all written bytes are on the disk. Errors: write_error.
     void flush()
     {
         if (::fdatasync(descriptor_) != 0)
             refuse("cannot be written");
     }
-    /// Errors: write_error, also when the file ends before.
+    /// Reads `size` bytes at this offset. Errors: write_error, also when the file ends before.
     void read(std::uint64_t offset, void* data, std::size_t size)
     {
         transfer(::pread, offset, static_cast<char*>(data), size, "cannot be read back");
     }
-    /// Errors: write_error.
+    /// Writes `size` bytes at this offset. Errors: write_error.
     void write(std::uint64_t offset, const void* data, std::size_t size) override
     {
         transfer(::pwrite, offset, static_cast<const char*>(data), size, "cannot be written");
     }
 
 private:
-    static constexpr std::size_t largest = std::size_t(256) << 20; // one call of some systems writes 2 GiB at most
+    static constexpr std::size_t largest = std::size_t(256) << 20; // some systems transfer at most 2 GiB in one call
 
     template <class Call, class Byte>
     void transfer(const Call& call, std::uint64_t offset, Byte* bytes, std::size_t size, const std::string& failure)
@@ -128,12 +128,12 @@ private:
     int descriptor_ = -1;
 };
 
-/// Compares with what is in a file instead of writing it.
+/// A comparison with the bytes of a file, made by writing to this object instead of the file.
 class compared_bytes final : public placed_bytes {
 public:
     explicit compared_bytes(offset_file& file) : file_(&file) {}
 
-    /// Errors: write_error, also when the file ends before.
+    /// Compares bytes with those of the file. Errors: write_error, also when the file ends before.
     void write(std::uint64_t offset, const void* data, std::size_t size) override
     {
         found_.resize(size);
@@ -143,7 +143,7 @@ public:
         if (differs != found_.end() and not difference_)
             difference_ = offset + std::uint64_t(differs - found_.begin());
     }
-    /// The first byte that was met and is another one in the file.
+    /// Returns the offset of a byte that differs in the file: the first in the first write that found a difference.
     [[nodiscard]] std::optional<std::uint64_t> difference() const { return difference_; }
 
 private:
@@ -152,13 +152,12 @@ private:
     std::optional<std::uint64_t> difference_;
 };
 
-/// A number that stands for the bytes of a file and their places. It is a sum over all bytes, so the sums of parts that
-/// do not overlap add up to that of the whole, whatever their order. A word of four bytes that changes changes the sum;
-/// bytes that are 0 do not count.
+/// A checksum of the bytes of a file and their places. It is a sum over all bytes, so sums of disjoint parts add up to
+/// that of the whole, in any order. A change of one word of four bytes changes the sum. Bytes that are 0 add nothing.
 struct byte_sum {
     std::uint64_t bits = 0;
 
-    /// Adds bytes that stand at this place. Cost: O(size).
+    /// Adds bytes at this offset. Cost: O(size).
     void add(std::uint64_t offset, const void* data, std::size_t size)
     {
         constexpr std::size_t word_bytes = 4;
@@ -198,12 +197,12 @@ inline byte_sum sum_of_bytes(offset_file& file, std::uint64_t begin, std::uint64
     return result;
 }
 
-/// Sums what is written to a file, or only sums it where there is none.
+/// A sum of all bytes that are written to a file. Without a file it only sums.
 class summed_bytes final : public placed_bytes {
 public:
     explicit summed_bytes(placed_bytes* file) : file_(file) {}
 
-    /// Errors: those of the file.
+    /// Adds the bytes to the sum and writes them to the file, if there is one. Errors: those of the file.
     void write(std::uint64_t offset, const void* data, std::size_t size) override
     {
         sum_.add(offset, data, size);
@@ -217,7 +216,7 @@ private:
     byte_sum sum_;
 };
 
-/// Joins small writes that follow one another into large ones.
+/// A buffer that joins small writes to consecutive offsets into large ones.
 class joined_writes {
 public:
     explicit joined_writes(placed_bytes& out) : out_(&out), bytes_(largest) {}
@@ -238,7 +237,7 @@ public:
         std::memcpy(bytes_.data() + size_, data, size);
         size_ += size;
     }
-    /// Stores value(i) for each i below `count`, one behind the other.
+    /// Stores value(i) for each i below `count`, one after the other.
     template <std::invocable<std::size_t> F>
     void put_each(std::uint64_t offset, std::size_t count, const F& value)
     {
@@ -248,7 +247,8 @@ public:
             std::memcpy(to, &one, sizeof(type));
         });
     }
-    /// Calls store(i, to) for each i below `count`, which stores so many bytes there, one behind the other.
+    /// Calls store(i, to) for each i below `count`; each call stores `Bytes` bytes at `to`. They lie one after the
+    /// other.
     template <std::size_t Bytes, std::invocable<std::size_t, char*> F>
     void store_each(std::uint64_t offset, std::size_t count, const F& store)
     {
@@ -270,7 +270,7 @@ public:
 private:
     static constexpr std::size_t largest = std::size_t(1) << 20;
 
-    /// Returns where so many bytes for this place are to be stored, before the next call. Precondition: they fit.
+    /// Returns the memory for `size` bytes at this offset, to be filled before the next call. Precondition: they fit.
     char* room(std::uint64_t offset, std::size_t size)
     {
         if (offset != start_ + size_ or size_ + size > largest) {
@@ -281,7 +281,7 @@ private:
     }
 
     placed_bytes* out_;
-    std::uint64_t start_ = 0; // of what has not been written yet
+    std::uint64_t start_ = 0; // of the bytes that are not yet written
     std::size_t size_ = 0;
     storage<char> bytes_;
 };

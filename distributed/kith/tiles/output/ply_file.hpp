@@ -24,7 +24,7 @@ namespace kith {
 
 namespace detail {
 
-/// Of a type of numbers in VTK's word. Errors: mesh_error for one that PLY has not.
+/// Returns PLY's name of a type of numbers given in VTK's notation. Errors: mesh_error for a type that PLY lacks.
 inline std::string ply_word(const file_array& array)
 {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words{{{"Int8", "char"},
@@ -42,7 +42,7 @@ inline std::string ply_word(const file_array& array)
     return std::string(found->second);
 }
 
-/// Whether one of the numbers of a value is NaN.
+/// Returns true if one of the numbers of a value is NaN.
 inline bool has_nan(const file_array& array, const std::byte* value)
 {
     const auto any = [&]<class Number>(Number number) {
@@ -58,15 +58,15 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 
 } // namespace detail
 
-/// Binary PLY, byte for byte as io::write_mesh writes the whole mesh. It holds as many vertices as 32 bits can number.
-/// Fields on vertices and faces are properties. A field on corners is a list of each face, after its vertices. Words
-/// for which numbers of faces stand are comments.
+/// A binary PLY file with the bytes that io::write_mesh writes for the whole mesh. It holds at most 2^31 - 1 vertices.
+/// Fields on vertices and faces are properties. A field on corners is a list of each face, after its vertices. If
+/// numbers of faces stand for words, comments give the words.
 class ply_file : public stitched_file {
 public:
-    /// With normals, of vertices or of corners, tiles have theirs. `largest_degree` is that of the faces of the whole
-    /// mesh (kith::largest_degree); the type in which the file counts corners follows from it. Errors: mesh_error for
-    /// more vertices than the format can number, for numbers of a type that PLY has not, for several of them in a value
-    /// of a vertex or face, for two fields on corners, and for a name that is taken.
+    /// Lays out the file. With normals, of vertices or of corners, the tiles must have them. `largest_degree` is that
+    /// of the faces of the whole mesh (kith::largest_degree); it determines the type of the corner counts. Errors:
+    /// mesh_error for more vertices than the format can number; for numbers of a type that PLY lacks; for several
+    /// numbers in a value of a vertex or face; for two fields on corners; and for a name that is taken.
     explicit ply_file(const global_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
                       const std::vector<std::string>& file_lines = {}, std::uint64_t largest_degree = 4,
                       bool with_corner_normals = false)
@@ -145,11 +145,11 @@ public:
     }
 
 private:
-    /// The names of properties that vertices and faces have so far.
+    /// The names of the properties of vertices and faces so far.
     struct property_names {
         std::set<std::string> of_vertices{"x", "y", "z"}, of_faces{"vertex_indices"};
 
-        /// Errors: mesh_error for a name that is empty or taken.
+        /// Adds the name of an array. Errors: mesh_error for a name that is empty or taken.
         void add(const file_array& array)
         {
             const std::string name = ply_name(array.name);
@@ -163,7 +163,7 @@ private:
     {
         return head_.size() + bytes_of_vertex_ * counts_.vertices + bytes_of_face_ * face + bytes_of_corner_ * corner;
     }
-    /// The values of an element, which stand behind one another from `at` on.
+    /// Writes the values of an element one after the other from `at` on.
     void put_values(joined_writes& out, std::uint64_t at, field_on where, std::size_t element,
                     std::span<const value_bytes> values) const
     {
@@ -176,7 +176,7 @@ private:
     {
         joined_writes out(file);
         const bool has_points_alone = bytes_of_vertex_ == 24;
-        const bool has_corners_alone = bytes_of_corner_ == 4 and bytes_of_face_ == 1; // their number
+        const bool has_corners_alone = bytes_of_corner_ == 4 and bytes_of_face_ == 1; // the corner count has one byte
         for_each_owned_run(part.vertex_ids, part.vertex_marks, [&](std::size_t first, global_id id, std::size_t run) {
             std::uint64_t at = head_.size() + bytes_of_vertex_ * id;
             if (has_points_alone)
@@ -201,7 +201,7 @@ private:
         });
         out.flush();
     }
-    /// Writes faces of this degree that have nothing but their vertices, after their number in one byte.
+    /// Writes faces of this degree that have only their vertices, after a corner count of one byte.
     template <std::size_t Degree>
     static void put_alike_faces(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
                                 std::size_t first, std::size_t run)
@@ -237,14 +237,14 @@ private:
             corner += face.size();
         }
     }
-    /// Writes the length of a list and returns the place behind it.
+    /// Writes the length of a list and returns the offset behind it.
     static std::uint64_t put_count(joined_writes& out, std::uint64_t at, const ply_count& type, std::uint64_t entries)
     {
         static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
         out.put(at, &entries, type.bytes);
         return at + type.bytes;
     }
-    /// Writes the values at the corners of a face and returns the place behind them.
+    /// Writes the values at the corners of a face and returns the offset behind them.
     std::uint64_t put_corners(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
                               std::size_t face, std::size_t first, value_bytes values) const
     {
@@ -258,7 +258,7 @@ private:
         out.put(at, values.data() + array.bytes * first, array.bytes * degree);
         return at + array.bytes * degree;
     }
-    /// Errors: mesh_error for a face that is too large for the lengths of its lists.
+    /// Throws mesh_error for a face that is too large for the length types of its lists.
     void require_room(const tile<std::array<double, 3>>& part, std::size_t face) const
     {
         const std::uint64_t in_values = corners_ ? values_of_face_.most / arrays_[*corners_].numbers : UINT64_MAX;
@@ -274,8 +274,8 @@ private:
     bool with_normals_, with_corner_normals_;
     std::vector<file_array> arrays_;
     ply_count corners_of_face_, normals_of_face_, values_of_face_{}; // types of the lengths of lists
-    std::vector<std::uint64_t> place_of_;                            // among the values of an element
-    std::optional<std::size_t> corners_;                             // which array is on corners
+    std::vector<std::uint64_t> place_of_; // offset of each array within the values of an element
+    std::optional<std::size_t> corners_;  // index of the array on corners
     std::uint64_t bytes_of_vertex_ = 0, bytes_of_values_ = 0, bytes_of_corner_ = 0, bytes_of_face_ = 0;
     std::string head_;
 };

@@ -10,16 +10,16 @@
 #include <string_view>
 #include <vector>
 
-// Words in PLY files, which have numbers only: a property of faces has the numbers of words, and comments of the
-// header, which others skip, say which: "comment word material 2 red paint".
+// Words in PLY files, which hold only numbers: a property of faces has the numbers of words. Comments of the header,
+// which other programs skip, give the words: "comment word material 2 red paint".
 
 namespace kith {
 
-/// The tag of OBJ, in PLY a comment, that says that the mesh is of an odd generation: schemes whose steps take turns go
-/// on with the other one.
+/// The OBJ tag, in PLY a comment, for a mesh of an odd generation. Schemes with alternating steps then continue with
+/// the second of their steps.
 inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
 
-/// A text without letters that end lines or are no letters.
+/// Returns a text with control characters, which include line ends but not tabs, replaced by '_'.
 inline std::string one_line(std::string text)
 {
     std::ranges::replace_if(
@@ -27,15 +27,15 @@ inline std::string one_line(std::string text)
     return text;
 }
 
-/// The name of a property, which is one word.
+/// Returns the name of a property, which is one word: spaces become '_'.
 inline std::string ply_name(std::string name)
 {
     std::ranges::replace(name, ' ', '_');
     return name;
 }
 
-/// The lines of a header that say for which words the numbers of a property stand; the first word is that of none, and
-/// has no line.
+/// Returns the lines of a header that give the words for the numbers of a property. Word 0 means that there is no word,
+/// and has no line.
 inline std::string ply_word_lines(const std::string& property, const std::vector<std::string>& words)
 {
     std::string result;
@@ -44,7 +44,7 @@ inline std::string ply_word_lines(const std::string& property, const std::vector
     return result;
 }
 
-/// Lines that name files in which materials or textures are, or that are tags.
+/// Returns the comment lines for lines of a mesh file that name files of materials or textures, or that are tags.
 inline std::string ply_file_lines(const std::vector<std::string>& lines)
 {
     std::string result;
@@ -53,13 +53,13 @@ inline std::string ply_file_lines(const std::vector<std::string>& lines)
     return result;
 }
 
-/// An unsigned type of PLY in which a file counts the entries of its lists.
+/// An unsigned PLY type in which a file counts the entries of its lists.
 struct ply_count {
     std::string_view word;
     std::size_t bytes;
-    std::uint64_t most; ///< the largest number that it holds
+    std::uint64_t most; ///< the largest number of the type
 
-    /// Returns the narrowest type that holds `entries`, but uint where none does. Many programs read uchar only.
+    /// Returns the narrowest type that holds `entries`, or uint if none does. Many programs read only uchar.
     static constexpr ply_count of(std::uint64_t entries)
     {
         constexpr ply_count uchar{"uchar", 1, 0xff}, ushort{"ushort", 2, 0xffff}, uint{"uint", 4, 0xffffffff};
@@ -67,24 +67,24 @@ struct ply_count {
     }
 };
 
-/// The name of the list in which each face has the normals of its corners, three numbers each.
+/// The name of the list with the normals of a face's corners, three numbers each.
 inline constexpr std::string_view ply_corner_normals_name = "normal";
 
-/// Returns the line of that list in a header.
+/// Returns the header line of that list.
 inline std::string ply_corner_normals(const ply_count& length)
 {
     return "property list " + std::string(length.word) + " double " + std::string(ply_corner_normals_name) + "\n";
 }
 
-/// The number of elements of a file, and the lines of its header for attributes.
+/// The counts of the elements of a file, and the lines of its header for attributes.
 struct ply_contents {
     std::size_t vertices, faces;
-    bool normals; ///< of vertices, behind their places
+    bool normals; ///< of vertices, after their coordinates
     std::uint64_t largest_degree = 4;
     std::string comments{}, vertex_properties{}, face_properties{};
 };
-/// Returns the header of a file with places as doubles. All writers of PLY begin with it, so that one mesh gives the
-/// same bytes everywhere.
+/// Returns the header of a file with coordinates as doubles. All writers of PLY use it, so that one mesh gives the same
+/// bytes everywhere.
 inline std::string ply_head(bool binary, const ply_contents& contents)
 {
     return std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
@@ -96,8 +96,8 @@ inline std::string ply_head(bool binary, const ply_contents& contents)
            contents.face_properties + "end_header\n";
 }
 
-/// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by
-/// one.
+/// Returns the words of a property; the first stands for no word. The result is empty if the comments of a header do
+/// not number the words consecutively.
 inline std::vector<std::string> words_in_ply(const std::vector<std::string>& comments, const std::string& property)
 {
     std::vector<std::string> result;
@@ -114,7 +114,7 @@ inline std::vector<std::string> words_in_ply(const std::vector<std::string>& com
     return result;
 }
 
-/// Such lines.
+/// Returns the comments that name files of materials or textures, or that are tags.
 inline std::vector<std::string> file_lines_in_ply(const std::vector<std::string>& comments)
 {
     std::vector<std::string> result;

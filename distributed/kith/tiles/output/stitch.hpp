@@ -22,38 +22,38 @@
 
 namespace kith {
 
-/// Where a cell came from, beside its parent face.
+/// The tile and the rank that made a cell.
 struct cell_origin {
     std::uint32_t tile = 0;
     std::uint32_t rank = 0;
 };
 
-/// One file of the whole refined mesh, stitched by association: the number of a vertex or a face says where in the file
-/// it stands, so tiles write what they own in any order, at the same time, on any rank, and no vertex is there twice.
-/// The bytes do not depend on the tiles.
+/// A file of the whole refined mesh, stitched by association: the global number of a vertex or face gives its place in
+/// the file. So tiles write their owned elements in any order, at the same time, on any rank, and no vertex is written
+/// twice. The bytes do not depend on the tiles.
 class stitched_file {
 public:
     virtual ~stitched_file() = default;
     [[nodiscard]] std::uint64_t size() const { return size_; }
 
-    /// Writes what is not of any tile; one process does.
+    /// Writes the bytes that belong to no tile; one process calls this.
     virtual void write_frame(placed_bytes& file) const = 0;
-    /// Writes the vertices and faces that a tile owns, with the values for the arrays that the file was made with, in
-    /// their order. Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there
-    /// is a value for each element. Cost: O(corners), and a write for each run of consecutive numbers.
+    /// Writes the vertices and faces that a tile owns, with values for the arrays of the file, in their order. Local.
+    /// Errors: write_error; mesh_error for a vertex without finite coordinates, and unless each element has a value.
+    /// Cost: O(corners), and a write for each run of consecutive numbers.
     virtual void write_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, cell_origin origin,
                             std::span<const value_bytes> values = {}) const = 0;
 
-    /// Reads back what write_tile has written, whichever rank did, and names a byte that is another one: "byte 302 of
-    /// out.vtu". Local. Errors: write_error. Cost: as write_tile.
+    /// Compares the file with what write_tile writes for this tile, on any rank, and names a byte that differs: "byte
+    /// 302 of out.vtu". Local. Errors: write_error. Cost: as write_tile.
     [[nodiscard]] virtual std::optional<std::string> difference(offset_file& file,
                                                                 const tile<std::array<double, 3>>& part,
                                                                 std::uint32_t tile,
                                                                 std::span<const value_bytes> values = {}) const = 0;
 
-    /// What of a tile is not in this file has been written. Local.
+    /// Returns true if the bytes of a tile that lie outside this file have been written. Local.
     [[nodiscard]] virtual bool is_there(std::uint64_t) const { return true; }
-    /// Returns a sum of the bytes of a tile that are not in this file, as they are on the disk now. Local.
+    /// Returns a sum of the bytes of a tile that lie outside this file, as they are on the disk now. Local.
     [[nodiscard]] virtual byte_sum sum_of_own_file(std::uint64_t) const { return {}; }
 
 protected:
@@ -62,7 +62,7 @@ protected:
 
 namespace detail {
 
-/// Coordinates that have overflowed are in no file. Errors: mesh_error, which names the vertex.
+/// Throws mesh_error, which names the vertex, if coordinates have overflowed; they are never written.
 inline void require_finite(const tile<std::array<double, 3>>& part)
 {
     for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
@@ -82,19 +82,20 @@ inline std::optional<std::string> named_difference(const offset_file& file, cons
 
 } // namespace detail
 
-/// Says that all cells of a file have this degree, and by how many tiles it is written. Some arrays then follow from the
-/// numbers of cells alone. Each tile writes an equal share of these arrays, since the runs of its own numbers are short.
+/// The common degree of all cells of a file, and the number of tiles that write it. Some arrays then follow from the
+/// numbers of cells alone. Each tile writes an equal share of these arrays, since the runs of its own numbers are
+/// short.
 struct alike_cells {
     std::uint64_t degree, tiles;
 };
 
-/// VTK's unstructured grid, raw binary appended, which ParaView opens. Cell data: the parent face on level 0 and the
-/// level; tile and rank, which depend on how the work was shared out, only where asked for.
+/// A VTK unstructured grid, raw binary appended, which ParaView opens. Cell data are the parent face on level 0 and the
+/// level. Tile and rank, which depend on how the work was shared, are written only on request.
 class vtu_file : public stitched_file {
 public:
-    /// With normals, tiles have theirs, which are point data. Values of fields are point or cell data, see arrays_of.
-    /// With `alike`, tiles are numbered from 0 on, and the file is complete when all of them have been written.
-    /// Errors: mesh_error for a field whose name is taken.
+    /// Lays out the file. With normals, which are point data, the tiles must have them. Values of fields are point or
+    /// cell data, see arrays_of. With `alike`, tiles are numbered from 0 on, and the file is complete when all tiles
+    /// have been written. Errors: mesh_error for a field whose name is taken, and for one on edges or corners.
     vtu_file(const global_counts& counts, int level, bool with_origin, bool with_normals = false,
              std::vector<file_array> arrays = {}, std::optional<alike_cells> alike = std::nullopt)
         : cells_(counts.faces)
@@ -199,7 +200,7 @@ private:
         if (rank)
             put_faces(ranks_, [&](std::size_t) { return *rank; });
     }
-    /// Writes the share of a tile in an array of all cells: value(cell).
+    /// Writes the tile's share of an array of all cells: value(cell).
     template <class F>
     void put_share(joined_writes& out, std::uint64_t tile, std::size_t array, const F& value) const
     {
@@ -231,9 +232,9 @@ private:
     int level_;
     bool with_origin_, with_normals_;
     detail::vtu_arrays arrays_;
-    std::vector<std::size_t> values_; // where they are
+    std::vector<std::size_t> values_; // numbers of the arrays of fields in layout_
     vtu_layout layout_;
-    std::size_t points_, connectivity_, offsets_, types_, parents_, levels_; // arrays there
+    std::size_t points_, connectivity_, offsets_, types_, parents_, levels_; // numbers of the arrays in layout_
     std::size_t normals_ = 0, tiles_ = 0, ranks_ = 0;
 };
 

@@ -11,30 +11,31 @@
 
 namespace kith {
 
-/// What the journal says of a tile that is finished.
+/// The journal's record of a finished tile.
 struct finished_tile {
-    std::uint64_t faces = 0; ///< of the last level, owned
+    std::uint64_t faces = 0; ///< owned faces of the last level
     mesh_checksum checksum{};
-    byte_sum bytes{}; ///< that were written
+    byte_sum bytes{}; ///< all bytes written for the tile
 };
 
-/// The tiles that are finished, kept behind the surface in the file that they are written to, until it is complete: a
-/// journal in a file of its own could speak of a surface that is no longer there. Every tile has its place, so that
-/// ranks and jobs without MPI write their records at the same time, and a record that was torn by the end of a process
-/// spoils no other. A record counts when its sum is right, which stands for what is refined as well (`recipe`).
+/// A journal of the finished tiles, stored behind the surface in the same file until the surface is complete. A journal
+/// in a separate file could describe a surface that no longer exists. Every tile has its own place, so ranks and jobs
+/// without MPI write records at the same time. A record that was torn by the end of a process damages no other. A
+/// record is valid if its checksum is correct, which also covers what is refined (`recipe`).
 class tile_journal {
 public:
-    /// The records begin where the surface ends, at byte `begin`.
+    /// Takes the byte `begin` at which the surface ends and the records begin, the number of tiles, and a checksum of
+    /// what is refined.
     tile_journal(std::uint64_t begin, std::uint64_t tiles, std::uint64_t recipe)
         : begin_(begin), tiles_(tiles), recipe_(recipe)
     {
     }
 
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
-    /// Where the records end.
+    /// Returns the offset at which the records end.
     [[nodiscard]] std::uint64_t end() const { return begin_ + tiles_ * sizeof(record); }
 
-    /// Records that a tile is finished, after all that was written to the file is on the disk. Local. Errors:
+    /// Records that a tile is finished, after all bytes written to the file are on the disk. Local. Errors:
     /// write_error.
     void add(offset_file& file, std::uint64_t tile, const finished_tile& finished) const
     {
@@ -42,7 +43,7 @@ public:
         const record line{finished.faces, finished.checksum.bits, finished.bytes.bits, sum(tile, finished)};
         file.write(begin_ + tile * sizeof line, &line, sizeof line);
     }
-    /// What is known of each tile. Local. Errors: write_error.
+    /// Returns for each tile its record, or nothing if it has no valid one. Local. Errors: write_error.
     [[nodiscard]] std::vector<std::optional<finished_tile>> read(offset_file& file) const
     {
         std::vector<record> lines(tiles_);
@@ -52,7 +53,7 @@ public:
             result[tile] = understood(tile, lines[tile]);
         return result;
     }
-    /// The same of one tile.
+    /// Returns the record of one tile, or nothing if it has no valid one. Local. Errors: write_error.
     [[nodiscard]] std::optional<finished_tile> read(offset_file& file, std::uint64_t tile) const
     {
         record line{};

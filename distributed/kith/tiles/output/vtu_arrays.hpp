@@ -30,10 +30,10 @@ inline std::string xml_text(const std::string& text)
     return result;
 }
 
-/// The arrays of fields in a file of VTK's format, beside those that the file has of its own.
+/// The arrays of fields in a VTK file, beside the file's own arrays.
 class vtu_arrays {
 public:
-    /// Whether a field may have this name, which no array of the file has that is none of a field.
+    /// Returns true if a field may have this name: it is not empty, and none of the file's own arrays has it.
     static bool is_free(std::string_view name)
     {
         constexpr std::array<std::string_view, 10> taken{"connectivity",
@@ -49,7 +49,8 @@ public:
         return not name.empty() and std::ranges::find(taken, name) == taken.end();
     }
 
-    /// Errors: mesh_error for a name that is empty, or taken: at points and at cells there may be one each.
+    /// Takes the arrays. Errors: mesh_error for fields on edges or corners, and for a name that is empty or taken. One
+    /// array of points and one of cells may share a name.
     explicit vtu_arrays(std::vector<file_array> arrays) : arrays_(std::move(arrays))
     {
         for (const auto& array : arrays_)
@@ -68,7 +69,7 @@ public:
     {
         return std::ranges::any_of(arrays_, [&](const auto& array) { return array.on == kind; });
     }
-    /// What the file says of those on one kind of element.
+    /// Returns the declarations of the arrays on one kind of element, for the index of vtu_pieces.
     [[nodiscard]] std::string declarations(field_on kind) const
     {
         std::string result;
@@ -77,7 +78,7 @@ public:
                 result += "<PDataArray " + attributes(array) + "/>\n";
         return result;
     }
-    /// Makes room for so many values of each of them; gives the numbers of their arrays.
+    /// Adds the arrays on one kind of element to a layout and stores the number of each in `places`.
     void add_to(vtu_layout& layout, field_on kind, std::uint64_t elements, std::vector<std::size_t>& places) const
     {
         places.resize(arrays_.size());

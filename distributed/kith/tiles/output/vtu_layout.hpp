@@ -12,15 +12,15 @@
 
 namespace kith {
 
-/// Where the arrays of a file in VTK's XML format stand: raw binary, appended, each behind its length. Arrays are
-/// declared in the order of the file, inside of elements that are opened and closed; `finish` makes the head that goes
-/// before them.
+/// The layout of the arrays of a file in VTK's XML format: raw binary, appended, each array after its length. Arrays
+/// are declared in the order of the file, within elements that are opened and closed. `finish` makes the header before
+/// them.
 class vtu_layout {
 public:
-    /// All that stands behind the arrays.
+    /// The bytes after the arrays.
     static constexpr std::string_view tail = "\n</AppendedData>\n</VTKFile>\n";
 
-    /// Declares what VTK looks for in this order: Points, Cells, ...
+    /// Opens an element (open) or closes it (close). VTK expects this order: Points, Cells, ...
     vtu_layout& open(const std::string& element)
     {
         arrays_ += "<" + element + ">\n";
@@ -31,7 +31,7 @@ public:
         arrays_ += "</" + element + ">\n";
         return *this;
     }
-    /// An array of so many bytes; gives its number here, counted from 0.
+    /// Declares an array of `bytes` bytes and returns its number, counted from 0.
     std::size_t add(std::uint64_t bytes, const std::string& attributes)
     {
         arrays_ += "<DataArray " + attributes + " format=\"appended\" offset=\"" + std::to_string(end_) + "\"/>\n";
@@ -39,7 +39,7 @@ public:
         end_ += sizeof(std::uint64_t) + bytes;
         return places_.size() - 1;
     }
-    /// The words for which the numbers of an array of this name stand, as data of the whole file.
+    /// Adds the words that the numbers of the array of this name stand for, as data of the whole file.
     void add_words(const std::string& name, const std::vector<std::string>& words)
     {
         words_ += "<DataArray type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"" + std::to_string(words.size()) +
@@ -51,7 +51,8 @@ public:
         }
         words_ += "</DataArray>\n";
     }
-    /// Ends the declarations of a file with so many points and cells, which are of a type that counts them by a word.
+    /// Ends the declarations of a file with these numbers of points and cells. `type` is the type of the file;
+    /// `counted_by` is the attribute that counts its cells.
     void finish(std::uint64_t points, std::uint64_t cells, const std::string& type = "UnstructuredGrid",
                 const std::string& counted_by = "NumberOfCells")
     {
@@ -63,16 +64,16 @@ public:
                 "</Piece>\n</" + type + ">\n<AppendedData encoding=\"raw\">\n_";
     }
 
-    /// All that stands before the arrays. Precondition: it is finished.
+    /// Returns the bytes before the arrays. Precondition: finish was called.
     [[nodiscard]] const std::string& head() const { return head_; }
-    /// Precondition: it is finished.
+    /// Returns the size of the file. Precondition: finish was called.
     [[nodiscard]] std::uint64_t size() const { return head_.size() + end_ + tail.size(); }
-    /// Of the first byte of an array.
+    /// Returns the offset of the first byte of an array. Precondition: finish was called.
     [[nodiscard]] std::uint64_t offset(std::size_t array) const
     {
         return head_.size() + places_[array].offset + sizeof(std::uint64_t);
     }
-    /// All that is not in the arrays. Errors: write_error.
+    /// Writes all bytes that are not in arrays. Errors: write_error.
     void write_frame(placed_bytes& file) const
     {
         file.write(0, head_.data(), head_.size());
@@ -83,14 +84,14 @@ public:
 
 private:
     struct place {
-        std::uint64_t offset, bytes; // of the length, which the bytes follow
+        std::uint64_t offset, bytes; // offset of the length, which the bytes follow
     };
     std::string head_, arrays_, words_;
     std::vector<place> places_;
     std::uint64_t end_ = 0;
 };
 
-/// VTK's number for a polygon of this degree.
+/// Returns VTK's cell type of a polygon of this degree.
 constexpr std::uint8_t vtk_cell_type(std::size_t degree)
 {
     constexpr std::uint8_t triangle = 5, polygon = 7, quad = 9;

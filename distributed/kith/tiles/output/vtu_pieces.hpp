@@ -19,13 +19,13 @@
 
 namespace kith {
 
-/// A file per tile (.vtu) and an index of them (.pvtu), for who wants each part by itself: the faces that the tile owns
-/// and their vertices, no ghosts. Vertices between tiles are in several files, with the number in the whole mesh that
-/// says so (GlobalPointIds, GlobalCellIds). Cell data as in vtu_file.
+/// A file per tile (.vtu) and an index of them (.pvtu), for readers that need each part by itself. A piece has the
+/// faces that the tile owns and their vertices, without ghosts. Vertices between tiles are in several pieces, with
+/// their global number (GlobalPointIds, GlobalCellIds). Cell data are those of vtu_file.
 class vtu_pieces : public stitched_file {
 public:
-    /// Pieces are written to `directory`, which exists, and looked for in `source`, as seen from the index. Errors: as
-    /// vtu_file.
+    /// Lays out the index. Pieces are written to `directory`, which exists; the index refers to them in `source`,
+    /// relative to itself. Errors: as vtu_file.
     vtu_pieces(std::string directory, const std::string& source, std::uint64_t tiles, int level, bool with_origin,
                bool with_normals = false, std::vector<file_array> arrays = {})
         : directory_(std::move(directory))
@@ -55,9 +55,9 @@ public:
         size_ = index_.size();
     }
 
-    /// The index.
+    /// Writes the index.
     void write_frame(placed_bytes& file) const override { file.write(0, index_.data(), index_.size()); }
-    /// The piece, in a file of its own, which is on the disk then.
+    /// Writes the piece of a tile to a file of its own, which is on the disk when this returns.
     void write_tile(placed_bytes&, const tile<std::array<double, 3>>& part, cell_origin origin,
                     std::span<const value_bytes> values = {}) const override
     {
@@ -76,7 +76,7 @@ public:
     {
         require_values(part, arrays_.list(), values);
         const piece expected(part, with_origin_, with_normals_, arrays_);
-        auto file = offset_file::open(path(tile)); // tells what is wrong where there is none
+        auto file = offset_file::open(path(tile)); // throws if the piece does not exist
         std::error_code error;
         if (std::filesystem::file_size(path(tile), error) != expected.layout.size() or error)
             return "the size of " + path(tile);
@@ -86,7 +86,7 @@ public:
         return detail::named_difference(file, compared);
     }
     [[nodiscard]] bool is_there(std::uint64_t tile) const override { return std::filesystem::exists(path(tile)); }
-    /// Errors: write_error. A piece that is not there has no sum.
+    /// Returns the sum of the piece of a tile, or that of no bytes if the piece does not exist. Errors: write_error.
     [[nodiscard]] byte_sum sum_of_own_file(std::uint64_t tile) const override
     {
         std::error_code error;
@@ -94,7 +94,7 @@ public:
         if (error)
             return {};
         auto file = offset_file::open(path(tile));
-        detail::word_hash hash(tile); // so that pieces that change places are noticed
+        detail::word_hash hash(tile); // so that exchanged pieces are noticed
         hash.add(size);
         hash.add(sum_of_bytes(file, 0, size).bits);
         return {hash.bits()};
@@ -103,13 +103,13 @@ public:
 private:
     static constexpr std::size_t none = SIZE_MAX;
 
-    /// What is in a piece, and where.
+    /// The contents of a piece and their layout.
     struct piece {
         std::vector<std::size_t> faces, vertices, number; ///< of the tile; the numbers of its vertices in the piece
         vtu_layout layout;
         std::size_t points, connectivity, offsets, types, point_ids, cell_ids, parents, levels, normals = 0, tiles = 0,
                                                                                                 ranks = 0;
-        std::vector<std::size_t> values; ///< arrays of fields
+        std::vector<std::size_t> values; ///< numbers of the arrays of fields
 
         piece(const tile<std::array<double, 3>>& part, bool with_origin, bool with_normals,
               const detail::vtu_arrays& arrays)

@@ -13,9 +13,9 @@
 
 namespace kith::detail {
 
-/// What is wrong with the corners, sides and fans of a tile, or nothing. Walks on faces and around vertices stay inside
-/// and end where this finds no fault. Precondition: its arrays have the right sizes and point at elements that are
-/// there. Cost: O(elements).
+/// Returns the first fault of the corners, half-edges and fans of a tile, or nullptr if there is none. Walks along
+/// faces and around vertices then stay inside the tile and end. Precondition: the arrays have the right sizes and refer
+/// to elements that exist. Cost: O(elements).
 template <std::unsigned_integral Index>
 const char* fault_of_corners(const connectivity<Index>& t)
 {
@@ -54,11 +54,11 @@ const char* fault_of_corners(const connectivity<Index>& t)
     return nullptr;
 }
 
-/// What is wrong with the arrays of a tile that comes from elsewhere, or nothing: they have the sizes of the elements
-/// they are about, they point at elements that are there, corners, sides and fans fit each other, and elements are in
-/// the order of their numbers in the whole mesh. In another order masks would be evaluated in another order, too. What
-/// is not seen is what makes as good a tile of another mesh, such as a face that starts at another of its corners.
-/// Cost: O(elements).
+/// Returns the first fault in the arrays of a tile from another source, or nullptr if there is none. The arrays must
+/// have the sizes of their elements and refer to elements that exist; corners, half-edges and fans must fit each other.
+/// Elements must be in the order of their numbers in the whole mesh, since another order would change the order in
+/// which masks are evaluated. Damage that yields a valid tile of another mesh is not found, such as a face that starts
+/// at another of its corners. Cost: O(elements).
 template <std::unsigned_integral Index, tile_like Tile>
 const char* fault_of_tile(const connectivity<Index>& t, std::size_t points, const Tile& part)
 {
@@ -90,7 +90,7 @@ const char* fault_of_tile(const connectivity<Index>& t, std::size_t points, cons
     if (const char* fault = fault_of_corners(t); fault != nullptr)
         return fault;
 
-    if (not std::ranges::is_sorted(part.vertex_ids)) // the fans of a vertex have its number each
+    if (not std::ranges::is_sorted(part.vertex_ids)) // all fans of a vertex have its number
         return "has vertices that are not in the order of their numbers";
     const auto increases = [](const auto& ids) {
         return std::ranges::adjacent_find(ids, std::greater_equal<>()) == ids.end();

@@ -15,9 +15,10 @@
 
 namespace kith {
 
-/// A number that two refined surfaces share if and, but for chance, only if they have the same faces, by number, with
-/// the same vertices, by number, at the same places, bit for bit. It is a sum over the faces, so it does not depend on
-/// which tile or rank a face belongs to, nor on their order: sums of checksums are the checksum of all.
+/// A checksum of a refined surface. Two surfaces share it if their faces have the same numbers, the same vertices, by
+/// number, and the same places, bit for bit. Other surfaces share it only by chance. It is a sum over the faces, so it
+/// does not depend on their order, nor on the tile or rank of a face. The sum of the checksums of parts is the checksum
+/// of all.
 struct mesh_checksum {
     std::uint64_t bits = 0;
 
@@ -31,7 +32,7 @@ struct mesh_checksum {
 
 namespace detail {
 
-/// Hashes words one after the other.
+/// A hash of words, which are added one after the other.
 class word_hash {
 public:
     explicit word_hash(std::uint64_t first) : bits_(mix_bits(first + 0x9e3779b97f4a7c15U)) {}
@@ -66,7 +67,7 @@ mesh_checksum checksum_of_face(const basic_mesh<Point, Index>& mesh, std::size_t
 
 } // namespace detail
 
-/// Of a whole mesh. Cost: O(corners).
+/// Returns the checksum of a whole mesh. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 mesh_checksum checksum(const basic_mesh<Point, Index>& mesh)
 {
@@ -76,8 +77,9 @@ mesh_checksum checksum(const basic_mesh<Point, Index>& mesh)
     return sum;
 }
 
-/// Of the faces that a tile owns, for each of its `roots` what has become of that. It does not depend on the tile that
-/// a root is in, so one tile is verified by refining some of its roots in another. Local. Cost: O(corners).
+/// Returns for each of the `roots` of a tile the checksum of the owned faces that descend from it. It does not depend
+/// on the tile that has the root, so one tile is verified by refining some of its roots in another. Local. Cost:
+/// O(corners).
 template <class Point, std::unsigned_integral Index>
 std::vector<mesh_checksum> checksums_of_roots(const tile<Point, Index>& part)
 {
@@ -89,7 +91,7 @@ std::vector<mesh_checksum> checksums_of_roots(const tile<Point, Index>& part)
     return sums;
 }
 
-/// Of the faces that a tile owns. Local. Cost: O(corners).
+/// Returns the checksum of the faces that a tile owns. Local. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 mesh_checksum checksum(const tile<Point, Index>& part)
 {

@@ -13,13 +13,13 @@
 
 namespace kith {
 
-/// Some faces of a mesh with their vertices and edges, which have numbers of their own, in the order of the mesh.
+/// Some faces of a mesh with their vertices and edges. The elements are numbered from 0 in the order of the mesh.
 template <std::unsigned_integral Index>
 struct closure_of_faces {
-    std::vector<Index> vertices, edges, faces; ///< their numbers in the mesh, increasing
-    element_numbers<Index> numbers;            ///< for each element of the mesh its own number; `none` for others
+    std::vector<Index> vertices, edges, faces; ///< for each element its number in the mesh, increasing
+    element_numbers<Index> numbers;            ///< for each element of the mesh its number here; `none` for others
 
-    /// Numbers the closure of increasing faces of this degree. Cost: O(elements of the mesh).
+    /// Numbers the closure of `of_faces`, which increase and all have this degree. Cost: O(elements of the mesh).
     closure_of_faces(const connectivity<Index>& mesh, std::vector<Index> of_faces, std::size_t degree)
         : faces(std::move(of_faces))
     {
@@ -40,7 +40,7 @@ struct closure_of_faces {
         number(numbers.faces, faces);
     }
 
-    /// Returns the counts of the closure. A side of an edge without one of the faces is boundary.
+    /// Returns the counts of the closure. A half-edge without one of the faces is at the boundary.
     [[nodiscard]] counts count() const
     {
         return {vertices.size(), edges.size(), faces.size(), 2 * edges.size() - numbers.degree * faces.size()};

@@ -14,7 +14,7 @@
 
 namespace kith {
 
-/// Which part each face of a control mesh belongs to. Refined surfaces never depend on it; time and memory do.
+/// The assignment of each face of a control mesh to a part. Refined surfaces never depend on it; time and memory do.
 struct partition {
     std::vector<std::uint32_t> part_of; ///< per face
     std::size_t parts = 1;
@@ -22,7 +22,7 @@ struct partition {
 
 namespace detail {
 
-/// More parts than faces are of no use but no fault either, as long as they are not too many to hold.
+/// Throws mesh_error for 0 parts and for too many parts. More parts than faces are useless but allowed, up to 2^20.
 inline void require_parts(std::size_t parts, std::size_t faces)
 {
     if (parts == 0)
@@ -33,7 +33,8 @@ inline void require_parts(std::size_t parts, std::size_t faces)
                          " faces; ask for at most " + std::to_string(most));
 }
 
-/// Of a run of faces: the part of a face of `degree` corners, the first of which is `first` of all `corners`.
+/// Returns the part of a face in block_partition. The face has `degree` corners, the first of which is corner `first`
+/// of all `corners`.
 inline std::size_t block_of(std::uint64_t first, std::size_t degree, std::uint64_t corners, std::size_t parts)
 {
     const double corners_of_part = double(corners) / double(parts);
@@ -42,8 +43,9 @@ inline std::size_t block_of(std::uint64_t first, std::size_t degree, std::uint64
 
 } // namespace detail
 
-/// Runs of faces in the order of their numbers, of as many corners each as can be: polygons make a child per corner.
-/// Errors: mesh_error for no parts, and for more than 2^20 that are more than there are faces. Cost: O(faces).
+/// Returns parts that are runs of faces in the order of their numbers, each with about as many corners as the others.
+/// Corners count since a polygon makes a child per corner. Errors: mesh_error for 0 parts, and for more parts than
+/// faces if they are more than 2^20. Cost: O(faces).
 template <class Point, std::unsigned_integral Index>
 partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)
 {
@@ -55,8 +57,8 @@ partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
     return result;
 }
 
-/// One number per face, below the number of faces, as METIS's programs write them. Parts may be empty. Errors:
-/// mesh_error for anything else.
+/// Reads a partition as METIS's programs write it: for each face the number of its part, below the number of faces.
+/// Parts may be empty. Errors: mesh_error for any other input.
 template <class Point, std::unsigned_integral Index>
 partition read_partition(std::istream& in, const basic_mesh<Point, Index>& mesh)
 {

@@ -10,12 +10,12 @@
 
 namespace kith {
 
-/// What a refinement spends its time on.
+/// The phases of a refinement for which time is measured.
 enum class phase : unsigned char { read, partition, cut, send, refine, write, wait };
 inline constexpr std::array<std::string_view, 7> phase_names{
     "read", "partition", "cut", "send", "refine", "write", "wait"};
 
-/// Seconds by phase, on the clock of the wall.
+/// Wall-clock seconds by phase.
 class phase_seconds {
 public:
     [[nodiscard]] double& operator[](phase p) { return seconds_[std::size_t(p)]; }
@@ -29,7 +29,7 @@ public:
         return result;
     }
     phase_seconds& operator+=(const phase_seconds& more) { return add(more, 1); }
-    /// Adds phases that ran on so many threads at once, as the time that has passed.
+    /// Adds the seconds of phases that ran on `threads` threads at once, divided by `threads`.
     phase_seconds& add(const phase_seconds& more, std::size_t threads)
     {
         for (std::size_t p = 0; p < seconds_.size(); ++p)
@@ -41,7 +41,7 @@ private:
     std::array<double, phase_names.size()> seconds_{};
 };
 
-/// Tells the time since it was made.
+/// A clock that tells the seconds since its construction.
 class stopwatch {
 public:
     [[nodiscard]] double seconds() const
@@ -53,7 +53,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Adds the time of its life to a phase.
+/// A timer that adds the time of its life to the seconds of a phase.
 class phase_timer {
 public:
     explicit phase_timer(double& seconds) : seconds_(seconds) {}
@@ -66,7 +66,7 @@ private:
     stopwatch since_;
 };
 
-/// Runs f as this phase and gives what it gives.
+/// Calls f, adds the time to `seconds` and returns the result of f.
 template <class F>
 decltype(auto) timed(double& seconds, const F& f)
 {

@@ -12,16 +12,16 @@
 
 namespace kith {
 
-/// The rings of ghost faces that a tile needs on level 0, 1, ..., `levels`, if it is to have `last` rings at the end.
-/// One coarse ring becomes several refined ones, so that the numbers stay bounded whatever the number of levels.
-/// Errors: mesh_error for negative numbers and for more than 1000 levels.
+/// Returns the rings of ghost faces that a tile needs on levels 0, 1, ..., `levels` to have `last` rings at the end.
+/// One coarse ring becomes several refined ones, so the rings stay bounded for any number of levels. Errors: mesh_error
+/// for negative numbers and for more than 1000 levels.
 template <reaching_scheme S>
 std::vector<int> ring_schedule(const S& scheme, int levels, int last = 0)
 {
     if (levels < 0 or last < 0)
         throw mesh_error(std::string(scheme_name<S>()) +
                          ": negative levels or rings were asked for; ask for 0 or more");
-    constexpr int most = 1000; // far beyond what 64 bits can number, and little to allocate
+    constexpr int most = 1000; // far more than 64 bits can number, and small to allocate
     if (levels > most)
         throw mesh_error(std::string(scheme_name<S>()) + ": " + std::to_string(levels) +
                          " levels are too many; ask for at most " + std::to_string(most));
@@ -34,7 +34,7 @@ std::vector<int> ring_schedule(const S& scheme, int levels, int last = 0)
 
 namespace detail {
 
-/// Stands for a scheme that tiles refuse, so that the compiler says no more of it than one sentence.
+/// A stand-in for a scheme that tiles refuse, so that the compiler prints only the sentence of scheme_in_tiles.
 struct any_reaching_scheme {
     template <class Scheme>
         requires(not std::same_as<Scheme, any_reaching_scheme>)
@@ -55,7 +55,7 @@ struct any_reaching_scheme {
     }
 };
 
-/// Refuses a scheme without reach.
+/// The static check that refuses a scheme without reach.
 template <scheme Scheme>
 struct scheme_in_tiles {
     static constexpr diagnostics::scheme_without_reach<not reaching_scheme<Scheme>> sentence{};

@@ -10,8 +10,8 @@
 
 namespace kith::detail {
 
-/// What a control mesh must be before it is cut into tiles. Errors: mesh_error for everything that `refine` refuses,
-/// and for face-vertex lists only, since tiles have the numbers of its edges.
+/// Throws mesh_error for a control mesh that cannot be cut into tiles. Errors: mesh_error for everything that `refine`
+/// refuses, and for face-vertex lists only, since tiles have the numbers of the mesh's edges.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 void require_control(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {

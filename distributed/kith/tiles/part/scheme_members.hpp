@@ -23,14 +23,14 @@ namespace kith {
 
 namespace detail {
 
-/// Converts to every type but T and its bases, so that it initializes any member of an aggregate T.
+/// A value that converts to every type but T and its bases, so that it initializes any member of an aggregate T.
 template <class T>
 struct any_member {
     template <class Member>
         requires(not std::is_base_of_v<Member, T>)
     operator Member() const; // NOLINT(google-explicit-constructor): an initializer converts
 };
-/// Converts to the bases of T only.
+/// A value that converts to the bases of T only.
 template <class T>
 struct any_base {
     template <class Base>
@@ -46,7 +46,8 @@ consteval bool has_member_between(std::index_sequence<Before...>, std::index_seq
     return requires { T{any_member_of<T, Before>{}..., {}, any_member_of<T, After>{}...}; } or
            requires { T{any_member_of<T, Before>{}..., {any_member<T>{}}, any_member_of<T, After>{}...}; };
 }
-/// Whether `Count` initializers are one for each member: an array would take several, and an ambiguous one none.
+/// Returns true if each of `Count` initializers initializes one member. An array would take several initializers, and
+/// an ambiguous one none.
 template <class T, std::size_t... I>
 consteval bool has_each_member(std::index_sequence<I...> all)
 {
@@ -64,7 +65,7 @@ consteval bool takes_members(std::index_sequence<I...>)
 inline constexpr std::size_t most_members = 12;
 inline constexpr std::size_t unlisted = ~std::size_t(0);
 
-/// The number of members of an aggregate without bases, or `unlisted`.
+/// Returns the number of members of an aggregate without bases, or `unlisted` for other types and for too many members.
 template <class T, std::size_t Count = most_members + 1>
 consteval std::size_t member_count()
 {
@@ -134,7 +135,8 @@ inline constexpr bool is_array = std::is_array_v<T>;
 template <class T, std::size_t N>
 inline constexpr bool is_array<std::array<T, N>> = true;
 
-/// A value of this type may hold one value per element: it points to objects, is a range of any length, or owns memory.
+/// The conditions under which a value may hold one value per element: it is a pointer to an object, a range of any
+/// length, or owns memory.
 template <class T>
 inline constexpr bool owns_nothing = std::is_trivially_destructible_v<T> and std::is_trivially_copy_constructible_v<T>;
 template <class T>
@@ -150,7 +152,8 @@ type_list<A..., B...> operator+(type_list<A...>, type_list<B...>);
 template <class T, class... States>
 consteval auto leaves_of(type_list<States...> states);
 
-/// The members, and those of members that are aggregates, down to types that are state or cannot be listed.
+/// The list of the types of the members of T. Aggregates among them are replaced by their own members, down to types
+/// that are state or cannot be listed.
 template <class T, class... States>
 using leaves = decltype(leaves_of<std::remove_cvref_t<T>>(type_list<States...>()));
 
@@ -170,7 +173,8 @@ consteval auto leaves_of(type_list<States...> states)
         return type_list<T>();
 }
 
-/// Counts members by their type; `States` are the types of the state that the scheme names.
+/// Returns true if all members that may hold elements are named as state. It compares how often a type occurs among the
+/// members (`Leaves`) and in the state that the scheme names (`States`).
 template <class Scheme, class... States, class... Leaves>
 consteval bool names_all(type_list<States...>, type_list<Leaves...>)
 {
@@ -189,7 +193,7 @@ consteval bool names_all(type_list<States...>, type_list<Leaves...>)
     (look_for(std::type_identity<States>()), ...);
     [[maybe_unused]] const auto is_covered = [&]<class T>(std::type_identity<T> type) {
         return is_state(type) or not may_hold_elements<T> or
-               (hidden != 0 and sizeof(T) < hidden + 2 * sizeof(void*)); // too little is left for a container
+               (hidden != 0 and sizeof(T) < hidden + 2 * sizeof(void*)); // the rest is too small for a container
     };
     return all and (is_covered(std::type_identity<Leaves>()) and ...);
 }
@@ -199,7 +203,8 @@ type_list<std::remove_cvref_t<States>...> types_of(const std::tuple<States&...>&
 template <class Scheme>
 using state_types = decltype(types_of(states_of(std::declval<Scheme&>())));
 
-/// The members of a scheme that may hold a value per element are all state, as far as members can be listed.
+/// Returns true if all members of a scheme that may hold a value per element are state, as far as members can be
+/// listed.
 template <scheme Scheme>
 consteval bool names_all_state()
 {
@@ -211,8 +216,8 @@ consteval bool names_all_state()
         return names_all<Scheme>(state_types<Scheme>(), leaves_of<Scheme>(state_types<Scheme>()));
 }
 
-/// Refuses a scheme for tiles that may hold values per element beside its state: each tile would read those of other
-/// elements, since it numbers its own from 0 on.
+/// Refuses at compile time a scheme that may hold values per element beside its state. Tiles number their elements from
+/// 0 on, so each tile would read the values of other elements.
 template <scheme Scheme>
 constexpr void require_named_state()
 {
@@ -223,7 +228,7 @@ template <class T, class... States>
 void add_options(word_hash& hash, const T& x, type_list<States...> states)
 {
     if constexpr ((std::same_as<T, States> or ...)) {
-        return; // it is sent
+        return; // state is sent with the tiles
     } else if constexpr (std::is_arithmetic_v<T> or std::is_enum_v<T>) {
         std::uint64_t word = 0;
         std::memcpy(&word, &x, std::min(sizeof x, sizeof word));
@@ -237,7 +242,8 @@ void add_options(word_hash& hash, const T& x, type_list<States...> states)
     }
 }
 
-/// A sum of what a scheme holds beside its state: numbers, enumerators, texts, and ranges and aggregates of these.
+/// Returns a hash of the options of a scheme, which are its members beside the state: numbers, enumerators, texts, and
+/// ranges and aggregates of these.
 template <scheme Scheme>
 std::uint64_t sum_of_options(const Scheme& scheme)
 {

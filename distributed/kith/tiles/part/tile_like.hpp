@@ -9,7 +9,7 @@
 
 namespace kith {
 
-/// An array of T that is read.
+/// Requirements of a readable array of T.
 template <class R, class T>
 concept array_of = std::ranges::contiguous_range<const R> and std::same_as<std::ranges::range_value_t<const R>, T> and
                    requires(const R& array, std::size_t i) {
@@ -19,9 +19,9 @@ concept array_of = std::ranges::contiguous_range<const R> and std::same_as<std::
                        { array.empty() } -> std::convertible_to<bool>;
                    };
 
-/// Some faces of a whole mesh as a native mesh, with what is said of them there: `tile`, which tells what each word
-/// means. Faces, edges and vertices are in the order of their numbers in the whole mesh, and start where they start in
-/// it.
+/// Requirements of some faces of a whole mesh as a native mesh, with their global numbers and marks. `tile` is the
+/// model and explains each member. Faces, edges and vertices are in the order of their global numbers, and start where
+/// they start in the whole mesh.
 template <class T>
 concept tile_like = requires(const T& part, std::size_t i) {
     { part.mesh } -> std::same_as<const basic_mesh<typename T::point_type, typename T::index_type>&>;
@@ -30,25 +30,25 @@ concept tile_like = requires(const T& part, std::size_t i) {
     requires array_of<std::remove_cvref_t<decltype(part.vertex_ids)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.edge_ids)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.face_ids)>, global_id>;
-    // Of the first corner of each face, of the corners before each vertex, and of the marked edges before each edge;
-    // each may be empty.
+    // The number of the first corner of each face, the number of corners before each vertex, and the number of marked
+    // edges before each edge; each array may be empty.
     requires array_of<std::remove_cvref_t<decltype(part.first_corner_ids)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.corners_before)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.marked_before)>, global_id>;
-    // Of each element a tile_mark.
+    // A tile_mark of each element.
     requires array_of<std::remove_cvref_t<decltype(part.vertex_marks)>, unsigned char>;
     requires array_of<std::remove_cvref_t<decltype(part.edge_marks)>, unsigned char>;
     requires array_of<std::remove_cvref_t<decltype(part.face_marks)>, unsigned char>;
-    // Of each face the place, among the faces of level 0 from which those here descend, of its own.
+    // For each face the index in `roots` of the face of level 0 from which it descends.
     requires array_of<std::remove_cvref_t<decltype(part.root_of)>, typename T::index_type>;
     requires array_of<std::remove_cvref_t<decltype(part.roots)>, global_id>;
 } and requires(const T& part, std::size_t i) {
-    // The marks in words.
+    // The marks as functions.
     { part.owns_vertex(i) } -> std::convertible_to<bool>;
     { part.owns_edge(i) } -> std::convertible_to<bool>;
     { part.owns_face(i) } -> std::convertible_to<bool>;
     { part.is_cut(i) } -> std::convertible_to<bool>;
-    // The numbers in the whole mesh of a corner of a face, an end of an edge and the face of level 0 above one.
+    // The global numbers of a corner of a face, of an end of an edge, and of the ancestor of a face on level 0.
     { part.corner_id(i, i) } -> std::convertible_to<global_id>;
     { part.end_id(i, i) } -> std::convertible_to<global_id>;
     { part.root(i) } -> std::convertible_to<global_id>;

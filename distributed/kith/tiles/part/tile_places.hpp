@@ -13,28 +13,28 @@ namespace kith {
 enum class tile_place : unsigned char {
     inner,    ///< all faces that touch it belong to the tile
     boundary, ///< faces of the tile and of other tiles touch it
-    ghost,    ///< only faces of other tiles touch it; of a face: another tile owns it
+    ghost,    ///< only faces of other tiles touch it; a face that another tile owns
 };
 
-/// The places of all elements of a tile, by their numbers there.
+/// The places of all elements of a tile, in its numbers.
 struct tile_places {
     std::vector<tile_place> vertices, edges, faces;
 };
 
-/// Returns the places of the elements of a tile. A face of the tile is inner if all its vertices are. Precondition: the
-/// tile has its edges. Cost: O(elements). Local.
+/// Returns the places of the elements of a tile. An owned face is inner if no face of another tile touches its
+/// vertices. Precondition: the tile has its edges. Cost: O(elements). Local.
 template <tile_like Tile>
 tile_places places_of(const Tile& part)
 {
     const auto& t = part.mesh.topology();
-    std::vector<unsigned char> owned(part.mesh.vertex_count(), 0), foreign(owned); // faces at each vertex
+    std::vector<unsigned char> owned(part.mesh.vertex_count(), 0), foreign(owned); // true if the vertex has such faces
     for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
         for (const auto v : part.mesh.face(f))
             (part.owns_face(f) ? owned : foreign)[v] = 1;
     for (std::size_t e = 0; e < part.mesh.edge_count(); ++e)
         if (part.is_cut(e))
             for (const auto v : t.ends(e))
-                foreign[v] = 1; // a face that is not here
+                foreign[v] = 1; // a face that is not in the tile
     const auto place = [](bool has_owned, bool has_foreign) {
         return not has_owned ? tile_place::ghost : has_foreign ? tile_place::boundary : tile_place::inner;
     };

@@ -10,21 +10,23 @@
 
 namespace kith {
 
-/// How many of so many tiles to refine at the same time: one on each thread of OpenMP or, where there are fewer tiles
-/// than threads, one after the other with all threads in its loops. Loops of tiles are short, and threads that meet
-/// after each of them lose more than they gain. So many tiles are then in memory, `most` of them at most.
+/// Returns how many of `tiles` tiles to refine at the same time: one on each OpenMP thread, at most `most`. If there
+/// are fewer tiles than threads, the result is 1, and all threads run in the loops of one tile. Loops of tiles are
+/// short, so threads that synchronize after each of them lose more than they gain. The result is also the number of
+/// tiles in memory.
 inline std::size_t tiles_at_once(std::size_t tiles, std::size_t most = SIZE_MAX)
 {
     const std::size_t threads = std::min(most, detail::most_threads());
     return tiles < threads ? 1 : std::max<std::size_t>(threads, 1);
 }
 
-/// Calls f(i) for the numbers below `size`, `at_once` of them at the same time, each on a thread of its own, which then
-/// runs all loops in it. In no order; after an error no more are begun, and the first one is rethrown.
+/// Calls f(i) for all i below `size`, up to `at_once` at the same time, each on one thread that runs all loops in it
+/// alone. The order is unspecified. After an error no more calls begin, and the first error is rethrown. If `at_once`
+/// is at most 1, the calls follow one another with all threads in their loops.
 template <class F>
 void for_each_at_once(std::size_t size, std::size_t at_once, const F& f)
 {
-    if (at_once <= 1) { // with all threads in its loops
+    if (at_once <= 1) { // all threads run in the loops of f
         for (std::size_t i = 0; i < size; ++i)
             f(i);
         return;

@@ -22,14 +22,14 @@ namespace kith {
 struct ply_property {
     std::string name;
     ply_number value;
-    ply_number count; ///< of a list; bytes == 0: not a list
+    ply_number count; ///< of a list; bytes == 0 if the property is no list
 
     [[nodiscard]] bool is_list() const { return count.bytes != 0; }
-    /// Of one element, if it is no list, and of an empty list else.
+    /// Returns the bytes of the property in one element, or of an empty list if it is a list.
     [[nodiscard]] std::size_t least_bytes() const { return is_list() ? count.bytes : value.bytes; }
 };
 
-/// A kind of elements, as the header declares it: how many there are, and what each has.
+/// A kind of elements, as the header declares it: the number of elements, and their properties.
 struct ply_element {
     std::string name;
     std::uint64_t count = 0;
@@ -37,10 +37,10 @@ struct ply_element {
 
     [[nodiscard]] bool is_vertex() const { return name == "vertex" or name == "vertices"; }
     [[nodiscard]] bool is_face() const { return name == "face" or name == "faces"; }
-    /// Strips of triangles, as the models of Stanford have them: lists of vertices in which -1 ends a strip.
+    /// Returns true for strips of triangles, as in the Stanford models: lists of vertices in which -1 ends a strip.
     [[nodiscard]] bool is_strips() const { return name == "tristrips"; }
     [[nodiscard]] bool has_lists() const { return std::ranges::any_of(properties, &ply_property::is_list); }
-    /// In a binary file, of one element with empty lists.
+    /// Returns the bytes of one element with empty lists in a binary file.
     [[nodiscard]] std::size_t least_bytes() const
     {
         std::size_t result = 0;
@@ -48,7 +48,7 @@ struct ply_element {
             result += property.least_bytes();
         return result;
     }
-    /// The list of the vertices of a face or of strips. Errors: mesh_error when there is none.
+    /// Returns the index of the list of the vertices of a face or of strips. Errors: mesh_error if there is none.
     [[nodiscard]] std::size_t corner_list() const
     {
         for (const std::string_view name : {"vertex_indices", "vertex_index"})
@@ -58,7 +58,7 @@ struct ply_element {
         throw mesh_error(std::string(is_strips() ? "the strips" : "the faces") +
                          " have no list 'vertex_indices' of whole numbers");
     }
-    /// Where x, y and z of a vertex are. Errors: mesh_error when one is not there.
+    /// Returns the indices of the properties x, y and z of vertices. Errors: mesh_error if one is missing.
     [[nodiscard]] std::array<std::size_t, 3> place() const
     {
         std::array<std::size_t, 3> result{};
@@ -78,31 +78,32 @@ private:
     }
 };
 
-/// How the numbers behind the header are written.
+/// The encoding of the numbers after the header.
 enum class ply_encoding : unsigned char { text, little_endian, big_endian };
 
-/// What the header of a PLY file says of a mesh.
+/// The header of a PLY file of a mesh.
 struct ply_header {
     ply_encoding encoding = ply_encoding::text;
-    /// Among them one of vertices with a place, and one of faces with their corners, one of strips, or both.
+    /// The declared elements. One has vertices with coordinates; one has faces with their corners, one has strips, or
+    /// both exist.
     std::vector<ply_element> elements;
     std::uint64_t vertices = 0;
     std::uint64_t faces = 0;
     std::vector<std::string> comments;
     std::size_t data_begin = 0; ///< the first byte after the header
-    std::size_t data_line = 0;  ///< its line
+    std::size_t data_line = 0;  ///< the line of that byte, counted from 1
 };
 
 namespace detail {
 
-/// Reads a header line by line; all its complaints name the line.
+/// A reader of a header, line by line. Errors in a line name it.
 class ply_header_reader {
 public:
     explicit ply_header_reader(std::string_view bytes) : bytes_(bytes)
     {
         const std::size_t end = bytes.find_first_of("\r\n");
         if (end != bytes.npos and bytes[end] == '\r' and not bytes.substr(end + 1).starts_with('\n'))
-            line_end_ = '\r'; // data may begin with '\n', so the first line tells
+            line_end_ = '\r'; // data may begin with '\n', so only the first line is looked at
     }
 
     ply_header read()
@@ -262,9 +263,9 @@ private:
     }
 
     std::string_view bytes_;
-    std::string_view rest_; ///< of this line
+    std::string_view rest_; ///< the unread part of the line
     char line_end_ = '\n';
-    std::size_t next_ = 0; ///< where the next line begins
+    std::size_t next_ = 0; ///< the first byte of the next line
     std::size_t line_ = 0;
     bool has_format_ = false;
     ply_header header_;
@@ -272,7 +273,8 @@ private:
 
 } // namespace detail
 
-/// Whether the line that ends the header is among the first bytes of a file, and all of it. Looks from byte `from` on.
+/// Returns true if the first bytes of a file contain the whole line that ends the header. The search begins at byte
+/// `from`.
 inline bool holds_end_of_header(std::string_view bytes, std::size_t from)
 {
     constexpr std::string_view word = "end_header";
@@ -284,10 +286,10 @@ inline bool holds_end_of_header(std::string_view bytes, std::size_t from)
     return false;
 }
 
-/// The header of a PLY file, of which these are the first bytes. Lines end with LF, CR or CRLF, comments may stand
+/// Reads the header of a PLY file, whose first bytes are `bytes`. Lines end with LF, CR or CRLF; comments may stand
 /// anywhere.
-/// Errors: mesh_error, with the line: for what is no header, and for files without vertices that have a place or
-/// without faces or strips that are lists of them. Cost: that of the header.
+/// Errors: mesh_error, with the line if one is wrong; for bytes that are no header; for files without vertices with
+/// coordinates; and for files without faces or strips that are lists of vertices. Cost: that of the header.
 inline ply_header read_ply_header(std::string_view bytes)
 {
     return detail::ply_header_reader(bytes).read();

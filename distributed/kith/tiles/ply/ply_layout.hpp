@@ -19,7 +19,7 @@
 
 namespace kith {
 
-/// Records of one size, one behind the other in a file.
+/// Consecutive records of one size in a file.
 struct ply_records {
     std::streamoff begin;
     std::size_t size;
@@ -28,7 +28,7 @@ struct ply_records {
 };
 
 /// The places of vertices and faces in a binary little-endian PLY file. All faces are triangles, or all are quads, so
-/// that records have one size each. Vertices and faces may have numbers beside coordinates and corners.
+/// that records have one size each. Vertices and faces may have numbers besides coordinates and corners.
 /// Errors of all members: mesh_error, which names the file. Local.
 class ply_layout {
 public:
@@ -38,7 +38,8 @@ public:
         ply_number type;
     };
 
-    /// Reads the header. Cost: that, and a sweep over the bytes behind the faces if there are lists among them.
+    /// Reads the header and finds the records. Cost: that of the header, and of reading all elements after the faces if
+    /// they have lists.
     ply_layout(std::string path, std::ifstream& in) : path_(std::move(path))
     {
         static_assert(std::endian::native == std::endian::little, "the file is read as it lies");
@@ -53,13 +54,14 @@ public:
     [[nodiscard]] ply_records vertex_records() const { return {vertices_at_, vertex_bytes_}; }
     [[nodiscard]] ply_records face_records() const { return {faces_at_, face_bytes()}; }
     [[nodiscard]] const coordinate& coordinate_of(std::size_t axis) const { return coordinates_[axis]; }
-    /// The list of the vertices of a face, and where it begins in the record of a face.
+    /// Returns the list of the vertices of a face (corner_list), and its first byte in the record of a face
+    /// (before_corners).
     [[nodiscard]] const ply_property& corner_list() const
     {
         return header_.elements[1].properties[header_.elements[1].corner_list()];
     }
     [[nodiscard]] std::size_t before_corners() const { return before_corners_; }
-    /// Returns the byte at which a property begins in the record of a vertex or of a face.
+    /// Returns the first byte of a property in the record of a vertex or of a face.
     [[nodiscard]] std::size_t offset(const ply_element& element, std::size_t property) const
     {
         std::size_t result = 0;
@@ -87,7 +89,7 @@ private:
     }
     [[nodiscard]] std::size_t face_bytes() const { return corner_bytes() + beside_corners_; }
 
-    /// The first bytes of the file, up to the end of the header and beyond.
+    /// Returns the first bytes of the file, up to the end of the header or beyond.
     [[nodiscard]] static std::string first_bytes(std::ifstream& in)
     {
         constexpr std::size_t block = 4096, most = std::size_t(1) << 24;
@@ -142,7 +144,7 @@ private:
         }
         vertices_at_ = std::streamoff(mark + header_.data_begin);
     }
-    /// Finds where vertices and faces lie. Checks the numbers of the header against the length of the file.
+    /// Finds the records of vertices and faces. Checks the counts of the header against the length of the file.
     void find_records(std::ifstream& in)
     {
         in.seekg(0, std::ios::end);
@@ -165,14 +167,14 @@ private:
         in.seekg(faces_at_ + std::streamoff(faces() * face_bytes()));
         for (std::size_t e = 2; e < header_.elements.size(); ++e)
             skip(in, header_.elements[e], left);
-        if (left != 0) // as it does behind a face of more vertices than the first one
+        if (left != 0) // for example after a face with more vertices than the first one
             for (global_id f = 0; f < faces(); ++f)
                 require_degree(f, degree_of(in, f));
         require(left == 0,
                 "goes on for " + std::to_string(left) + (left == 1 ? " byte" : " bytes") + " after its last element");
         in.clear();
     }
-    /// Reads how many vertices a face has. Precondition: all faces before it have degree_.
+    /// Returns the number of vertices of a face. Precondition: all faces before it have degree_.
     [[nodiscard]] std::int64_t degree_of(std::ifstream& in, global_id face) const
     {
         const ply_number& type = corner_list().count;
@@ -215,7 +217,7 @@ private:
     std::string path_;
     ply_header header_;
     int degree_ = 0;
-    std::size_t before_corners_ = 0, beside_corners_ = 0; ///< bytes of a face
+    std::size_t before_corners_ = 0, beside_corners_ = 0; ///< bytes of a face's record
     std::size_t vertex_bytes_ = 0;
     std::array<coordinate, 3> coordinates_{};
     std::streamoff vertices_at_ = 0, faces_at_ = 0;

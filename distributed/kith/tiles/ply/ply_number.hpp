@@ -12,14 +12,14 @@
 
 namespace kith {
 
-/// A type of numbers in a PLY file, and how to read one of them in a binary file. Preconditions of all that read: so
-/// many bytes are there.
+/// A type of numbers in a PLY file, with functions that read one number of a binary file. Precondition of all functions
+/// that read: `bytes` bytes exist at `stored`.
 struct ply_number {
     std::size_t bytes = 0;
     bool floating = false;
     bool is_signed = false;
 
-    /// Precondition: a type of whole numbers.
+    /// Returns a whole number. Precondition: the type is one of whole numbers.
     template <std::endian Order = std::endian::little>
     [[nodiscard]] std::int64_t whole(const char* stored) const
     {
@@ -27,7 +27,7 @@ struct ply_number {
         const int unused = int(64 - 8 * bytes);
         return is_signed ? std::int64_t(bits << unused) >> unused : std::int64_t(bits);
     }
-    /// Finite or not, as a double, which holds every number that a file can have.
+    /// Returns a number, finite or not, as a double, which holds every number that a file can have.
     template <std::endian Order = std::endian::little>
     [[nodiscard]] double value(const char* stored) const
     {

@@ -21,7 +21,7 @@
 
 namespace kith {
 
-/// Some faces of a control mesh and, independently, some of its vertices: what one rank reads of a file.
+/// Some faces of a control mesh and, independently, some of its vertices, as one rank reads them from a file.
 template <class Point>
 struct mesh_slice {
     global_id vertices = 0, faces = 0; ///< of the whole mesh
@@ -31,13 +31,13 @@ struct mesh_slice {
     std::vector<Point> points;
 };
 
-/// A PLY file of which ranges of faces and vertices are read, if it has a ply_layout.
+/// A PLY file with a ply_layout, of which ranges of faces and vertices are read.
 /// Errors of all members: mesh_error, which names the file. Local.
 class sliced_ply {
 public:
     /// Reads the header. Cost: that of ply_layout.
     explicit sliced_ply(const std::string& path) : in_(opened(path)), layout_(path, in_) {}
-    /// Throws the reason of the system if there is no file at this path that can be read, or a directory.
+    /// Throws mesh_error with the system's reason if the file at this path cannot be read, or if it is a directory.
     static void require_readable(const std::string& path)
     {
         std::error_code failed;
@@ -53,10 +53,10 @@ public:
     [[nodiscard]] global_id faces() const { return layout_.faces(); }
     [[nodiscard]] int degree() const { return layout_.degree(); }
     [[nodiscard]] const ply_header& header() const { return layout_.header(); }
-    /// Of faces and vertices, so far.
+    /// Returns the number of bytes read so far for faces and vertices.
     [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
 
-    /// Faces [first_face, end_face) and vertices [first_vertex, end_vertex). Cost: reading those bytes.
+    /// Returns faces [first_face, end_face) and vertices [first_vertex, end_vertex). Cost: reading their bytes.
     [[nodiscard]] mesh_slice<std::array<double, 3>> read(global_id first_face, global_id end_face,
                                                          global_id first_vertex, global_id end_vertex)
     {
@@ -90,8 +90,8 @@ public:
         return result;
     }
 
-    /// The numbers that some vertices or faces have in a property of theirs that is no list. Precondition: the numbers
-    /// of the elements increase. Cost: reading their bytes.
+    /// Returns the values of a property, which is no list, at these vertices or faces. Precondition: the numbers of the
+    /// elements increase. Cost: reading their bytes.
     [[nodiscard]] std::vector<double> values_of_vertices(std::size_t property, std::span<const global_id> vertices)
     {
         return values(layout_.vertex_records(), header().elements[0], property, vertices);

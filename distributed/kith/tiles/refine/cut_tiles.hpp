@@ -23,17 +23,17 @@
 
 namespace kith {
 
-/// Cuts tiles out of a control mesh that is here as a whole. `to_native` makes one of a mesh of another library: global
-/// ids are its numbers, removed elements left out.
+/// A cutter of tiles out of a control mesh that lies in memory as a whole. A mesh of another library is first converted
+/// by `to_native`; global numbers are then those of that library without removed elements.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class tile_cutter {
 public:
     using job_type = tile_job<tile<Point, Index>, Scheme>;
 
-    /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
-    /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors:
-    /// mesh_error for a partition of another mesh, a part that does not exist, more parts than can be held, and state
-    /// of the scheme (creases, fields) of another mesh. Cost: O(elements).
+    /// Takes a mesh and the part of each face: `part_of[f]` is the part of face f, below `parts`. Parts may be empty,
+    /// and need not be connected. Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives
+    /// this object. Errors: mesh_error for a partition of another mesh; for a part that does not exist; for more parts
+    /// than can be held; and for state of the scheme (creases, fields) of another mesh. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)
         : mesh_(mesh), level_(mesh), scheme_(scheme), cutter_(mesh), first_(checked(parts, mesh) + 1, 0)
@@ -89,13 +89,14 @@ public:
                 marked_before_.empty() ? 0 : marked_before_.back()};
     }
 
-    /// Returns what no formula tells of the mesh; see global_lineage. Cost: O(elements).
+    /// Returns the numbers of the mesh for which there is no formula; see global_lineage. Cost: O(elements).
     [[nodiscard]] control_runs runs() const { return control_runs_of<Scheme>(mesh_); }
 
-    /// Part `part` with `rings` rings of ghosts. Cost: O(its elements log of them).
+    /// Returns part `part` with `rings` rings of ghosts, and its scheme. Cost: O(n log n) for its n elements.
     [[nodiscard]] job_type cut(std::size_t part, int rings) { return cut_around(faces(part), rings); }
 
-    /// The tile of all faces that touch the boundary, empty if the scheme has no use for it: see global_levels.
+    /// Returns the tile of all faces that touch the boundary, for global_levels. It is empty if the scheme does not
+    /// need it (numbers_boundary).
     [[nodiscard]] job_type cut_rim(int rings)
     {
         if constexpr (not numbers_boundary<Scheme>)
@@ -141,7 +142,7 @@ private:
     job_type cut_around(std::span<const Index> seeds, int rings)
     {
         auto part = cutter_.cut(cutter_.faces_around(seeds, rings));
-        if (std::exchange(is_marked_, true)) // a call has ended by an exception
+        if (std::exchange(is_marked_, true)) // an earlier call has ended by an exception
             std::ranges::fill(is_ours_, 0);
         for (const Index f : seeds)
             is_ours_[f] = 1;
@@ -177,7 +178,8 @@ private:
         if constexpr (marks_edges<Scheme>)
             result.marked_before = of_each(part.edge_from, marked_before_);
     }
-    /// What lies at several faces belongs to the one with the smallest number.
+    /// Returns true if the tile owns an element, which belongs to the face with the smallest number among the faces at
+    /// it.
     [[nodiscard]] bool is_mine(tuple_kind kind, std::size_t element) const
     {
         return is_ours_[parent_face(level_, kind, element)] != 0;
@@ -214,9 +216,9 @@ private:
     submesh_cutter<Point, Index> cutter_;
     std::vector<std::size_t> first_;
     std::vector<Index> faces_;
-    bool is_marked_ = false; // some of these are
+    bool is_marked_ = false; // true while is_ours_ contains marks
     std::vector<unsigned char> is_ours_;
-    std::vector<global_id> corners_before_, marked_before_; // per vertex, per edge, and of all
+    std::vector<global_id> corners_before_, marked_before_; // sums before each vertex or edge, and the total
 };
 
 } // namespace kith

@@ -17,9 +17,9 @@
 
 namespace kith {
 
-/// What all tiles of a refinement have to know of the whole mesh, level by level: how many elements there are, how they
-/// are numbered, and how many rings of ghosts are needed. It is the same on every rank and is made without
-/// communication: from the counts of the control mesh and, where it has a boundary, from the faces along it.
+/// The data on the whole mesh that all tiles of a refinement need, level by level: the counts of elements, their
+/// numbering, and the rings of ghosts. They are the same on every rank. They are made without communication, from the
+/// counts of the control mesh and the faces along its boundary.
 template <reaching_scheme Scheme>
 class global_levels {
     static_assert(
@@ -30,10 +30,10 @@ class global_levels {
 public:
     using columns_type = kith::columns_type<Scheme>;
 
-    /// `rim` is the tile that owns all faces of level 0 that touch the boundary, with at least
-    /// ring_schedule(scheme, levels, 1)[0] rings, and `scheme` is that of this tile. It may be empty if the mesh is
-    /// closed or the numbers do not depend on the boundary (numbers_boundary); its generation is that of the control
-    /// mesh all the same.
+    /// Makes the data of levels 0 to `levels`. `rim` is a tile that owns all faces of level 0 that touch the boundary,
+    /// with at least ring_schedule(scheme, levels, 1)[0] rings; `scheme` is the scheme of this tile. `rim` may be empty
+    /// if the mesh is closed or the numbers do not depend on the boundary (numbers_boundary). Its generation must be
+    /// that of the control mesh even then.
     /// Errors: mesh_error when there are more elements than global_id can number.
     /// Cost: that of refining the boundary.
     template <tile_like Tile>
@@ -41,7 +41,7 @@ public:
         : rings_(ring_schedule(scheme, levels, last_rings)), counts_{control}
     {
         const auto rim_rings = ring_schedule(
-            scheme, levels, 1); // one at the end, so that all of the boundary is complete
+            scheme, levels, 1); // one ring at the end, so that the whole boundary is complete
         const int generation = rim.mesh.generation();
         corners_.emplace_back();
         for (int level = 0; level < levels; ++level) {
@@ -71,7 +71,8 @@ public:
     }
     [[nodiscard]] const corners_at_vertices& corners(int level) const { return corners_[std::size_t(level)]; }
 
-    /// Who descends from whom, by numbers. `control` is all of the control mesh. Cost: O(boundary).
+    /// Returns the ancestors and descendants over all levels, by numbers. `control` has all runs of the control mesh.
+    /// Cost: O(boundary).
     [[nodiscard]] global_lineage<columns_type> lineage(const control_runs& control) const
     {
         return {counts_, numberings_, corners_, control.joined()};

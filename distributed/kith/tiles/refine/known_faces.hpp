@@ -17,8 +17,8 @@
 
 namespace kith {
 
-/// Some faces of a level, with all that a tile knows of them, in the numbers of the whole mesh. They may be joined with
-/// others, so that faces occur several times, and are made tiles again.
+/// Some faces of a level, with all data that a tile has of them, in the numbers of the whole mesh. Lists of such faces
+/// may be joined, so that a face occurs several times, and turned into tiles again.
 template <class Point>
 struct known_faces {
     struct face {
@@ -27,20 +27,20 @@ struct known_faces {
     };
     struct corner {
         global_id vertex;
-        global_id end;           ///< 2e+s, the side s of edge e that lies in the face
-        std::uint64_t has_other; ///< whether the edge has another face in the whole mesh
+        global_id end;           ///< 2e+s, for side s of edge e, which lies in the face
+        std::uint64_t has_other; ///< true if the edge has another face in the whole mesh
     };
     struct vertex {
         global_id id;
-        /// Where its fan starts, the corner counted in the face; ~0 where not known.
+        /// The face at which the fan of the vertex starts, and the corner within that face; ~0 if unknown.
         global_id first_face, first_corner;
         global_id corners_before; ///< see tile
         Point point;
     };
 
     std::vector<face> faces;
-    std::vector<corner> corners;  ///< face by face
-    std::vector<vertex> vertices; ///< of all corners, in any order, each once or several times
+    std::vector<corner> corners;  ///< grouped by face
+    std::vector<vertex> vertices; ///< of all corners, in any order, with or without repetition
 
     void append(const known_faces& more)
     {
@@ -48,7 +48,8 @@ struct known_faces {
         corners.insert(corners.end(), more.corners.begin(), more.corners.end());
         vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
     }
-    /// One of `from`, which has its vertices in the order of its corners; `first` is where those of the face begin.
+    /// Appends one face of `from`, whose vertices are in the order of its corners; `first` is the first corner of the
+    /// face.
     void append_face(const known_faces& from, std::size_t face, std::size_t first)
     {
         const auto begin = std::ptrdiff_t(first), end = std::ptrdiff_t(first + from.faces[face].degree);
@@ -58,7 +59,8 @@ struct known_faces {
     }
 };
 
-/// These faces of a tile that has its edges. Where all of a vertex's faces are in the tile its fan's start is known.
+/// Returns these faces of a tile that has its edges. The start of a vertex's fan is known if all its faces are in the
+/// tile.
 template <class Point, std::unsigned_integral Index>
 known_faces<Point> known_faces_of(const tile<Point, Index>& part, std::span<const Index> faces)
 {
@@ -87,7 +89,7 @@ known_faces<Point> known_faces_of(const tile<Point, Index>& part, std::span<cons
 
 namespace detail {
 
-/// A tile from some faces, but for who owns what.
+/// A builder of a tile from known faces, without the marks of ownership.
 template <class Point, std::unsigned_integral Index>
 class known_faces_builder {
     using facts = known_faces<Point>;
@@ -144,7 +146,7 @@ public:
 private:
     struct placed_face {
         const typename facts::face* face;
-        std::size_t corner; // the first of its corners
+        std::size_t corner; // the first corner of the face
     };
 
     [[nodiscard]] std::size_t local_face(global_id id) const
@@ -157,7 +159,7 @@ private:
         return std::size_t(std::ranges::lower_bound(edges_, end / 2) - edges_.begin());
     }
 
-    /// 3 or 4 if all faces have so many corners, else 0.
+    /// Returns 3 or 4 if all faces have that many corners, else 0.
     [[nodiscard]] int degree_of_all() const
     {
         const std::uint64_t first = faces_.empty() ? 0 : faces_.front().face->degree;
@@ -170,7 +172,7 @@ private:
         t.vertices = all_.vertices.size();
         t.allocate_faces(faces_.size(), degree_of_all(), [this](std::size_t f) { return faces_[f].face->degree; });
         t.allocate_edges(edges_.size());
-        // Side 0 of an edge always has a face here; an edge of which only the other side is here is turned.
+        // Side 0 of an edge in the tile always has a face. If only side 1 has a face in the tile, the edge is turned.
         std::vector<unsigned char> left_is_here(edges_.size(), 0);
         for (const auto& f : faces_)
             for (std::size_t k = 0; k < f.face->degree; ++k)
@@ -220,16 +222,15 @@ private:
     }
 
     facts all_;
-    std::vector<placed_face> faces_; // by number, each once
+    std::vector<placed_face> faces_; // by number, without repetition
     std::vector<global_id> edges_;
 };
 
 } // namespace detail
 
-/// The tile that some faces make, of which nothing is owned yet. `with_first_corners`: the faces of the whole mesh are
-/// of many degrees, also where these are of one.
-/// Precondition: wherever all faces of an inner vertex are there, one says where its fan starts.
-/// Cost: O(elements log of them).
+/// Returns the tile that consists of these faces and owns none of them yet. `with_first_corners` says that the faces of
+/// the whole mesh have several degrees, even if these faces have one. Precondition: if all faces of an inner vertex are
+/// given, at least one entry for the vertex has the start of its fan. Cost: O(n log n) for n elements.
 template <std::unsigned_integral Index, class Point>
 tile<Point, Index> tile_of_faces(known_faces<Point> faces, bool with_first_corners, int generation,
                                  bool with_corners_before)
@@ -240,7 +241,7 @@ tile<Point, Index> tile_of_faces(known_faces<Point> faces, bool with_first_corne
 
 namespace detail {
 
-/// Marks in a tile that has grown the elements that it owned before.
+/// Marks in a grown tile the elements that the tile owned before.
 template <tile_like Tile>
 void keep_owned(const Tile& before, Tile& grown)
 {
@@ -257,7 +258,7 @@ void keep_owned(const Tile& before, Tile& grown)
     keep(before.face_ids, before.face_marks, grown.face_ids, grown.face_marks);
 }
 
-/// Returns a tile with more faces, which owns the same elements. Cost: O(elements log of them).
+/// Returns a tile with more faces, which owns the same elements. Cost: O(n log n) for n elements.
 template <class Point, std::unsigned_integral Index>
 tile<Point, Index> with_faces(const tile<Point, Index>& part, const known_faces<Point>& more)
 {

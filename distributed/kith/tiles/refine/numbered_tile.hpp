@@ -15,14 +15,14 @@
 
 namespace kith {
 
-/// A tile, and which one it is of all tiles of a level, wherever they lie.
+/// A tile with its number among all tiles of a level on all ranks.
 template <tile_like Tile>
 struct numbered_tile {
     std::uint64_t number = 0;
     Tile part;
 };
 
-/// The numbers in the whole mesh of all elements of one kind, and their marks.
+/// Returns the global numbers (ids_of) or the marks (marks_of) of all elements of one kind.
 template <tile_like Tile>
 std::span<const global_id> ids_of(const Tile& part, element_kind kind)
 {
@@ -53,8 +53,7 @@ std::vector<typename Tile::index_type> owned_faces_of(const Tile& part)
     return owned;
 }
 
-/// Returns the face in whose patch the descendants of an element lie: a vertex, an edge, a face or a corner (v, e, f,
-/// vf).
+/// Returns the face whose patch has the descendants of an element: a vertex, an edge, a face or a corner (v, e, f, vf).
 template <std::unsigned_integral Index>
 Index face_of_patch(const connectivity<Index>& mesh, tuple_kind kind, std::size_t element)
 {
@@ -66,7 +65,7 @@ Index face_of_patch(const connectivity<Index>& mesh, tuple_kind kind, std::size_
     }
 }
 
-/// Returns 3 or 4 if degree_of(i) is that for each i below `faces`, else 0. Cost: O(faces).
+/// Returns 3 or 4 if degree_of(i) has this value for all i below `faces`, else 0. Cost: O(faces).
 template <std::invocable<std::size_t> F>
 int degree_if_alike(std::size_t faces, const F& degree_of)
 {
@@ -81,8 +80,8 @@ int degree_if_alike(std::size_t faces, const F& degree_of)
 
 } // namespace detail
 
-/// Returns the number of rings that the outermost ghost of a tile is away from the faces that the tile owns; the last
-/// rings may have gaps. Precondition: the tile has its edges. Cost: O(elements) per ring.
+/// Returns the number of rings from the owned faces of a tile to its outermost ghost; the last rings may have gaps.
+/// Precondition: the tile has its edges. Cost: O(elements) per ring.
 template <tile_like Tile>
 int rings_of_ghosts(const Tile& part)
 {
@@ -97,9 +96,8 @@ int rings_of_ghosts(const Tile& part)
     return rings;
 }
 
-/// Returns how many rings of ghosts a tile has without gaps, or `most` if there are at least as many: of a tile that
-/// holds the whole mesh, or owns nothing, all are there. Precondition: the tile has its edges.
-/// Cost: O(elements) per ring.
+/// Returns the number of rings of ghosts without gaps, at most `most`. A tile that holds the whole mesh, or owns
+/// nothing, has `most` rings. Precondition: the tile has its edges. Cost: O(elements) per ring.
 template <tile_like Tile>
 int complete_rings(const Tile& part, int most)
 {
@@ -115,7 +113,7 @@ int complete_rings(const Tile& part, int most)
     return rings;
 }
 
-/// The faces that another tile may see: the ghosts, and those at a vertex that has faces elsewhere.
+/// Returns the faces that another tile may have: the ghosts, and the faces at a vertex that has faces outside the tile.
 /// Precondition: the tile has its edges.
 template <tile_like Tile>
 std::vector<typename Tile::index_type> faces_at_cuts(const Tile& part)

@@ -21,13 +21,13 @@
 
 namespace kith {
 
-/// Bytes that were damaged on their way, or are not what they are taken for.
+/// The error of bytes that were damaged in transfer or have another format.
 struct pack_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Appends plain values and arrays to a message. The bytes are those of this machine: messages stay within one job on
-/// machines of one kind, which `kind_of_message` in the head of those with tiles makes sure of.
+/// A writer of plain values and arrays to a message. The bytes are those of this machine, so messages stay within one
+/// job on machines of one kind. Messages with tiles verify that by `kind_of_message` at their start.
 class packer {
 public:
     template <class T>
@@ -59,7 +59,8 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Reads what a packer wrote, in the same order. Errors: pack_error when there is less than asked for.
+/// A reader of the values that a packer wrote, in the same order. Errors: pack_error when the message has too few
+/// bytes.
 class unpacker {
 public:
     explicit unpacker(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -112,7 +113,8 @@ static_assert(message_writer<packer> and message_reader<unpacker>);
 
 namespace detail {
 
-/// What messages of one format, version and kind of machine begin with; turned round elsewhere.
+/// Returns the first word of messages of one format, version and kind of machine. Other machines may read its bytes in
+/// reverse order.
 template <class Point, std::unsigned_integral Index>
 constexpr std::uint64_t kind_of_bytes(std::uint64_t format, std::uint64_t version)
 {
@@ -151,7 +153,7 @@ void unpack_state(unpacker& in, Scheme& scheme)
     });
 }
 
-/// The sum of the words of a message, with where they are: it tells damage, not malice.
+/// Returns the sum of the hashed words of a message, each mixed with its position. It detects damage, not malice.
 inline std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes)
 {
     std::uint64_t sum = mix_bits(bytes.size());
@@ -163,7 +165,7 @@ inline std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes)
     return sum;
 }
 
-/// What a message says of a mesh: it may be damaged.
+/// The mesh that a message contains, which may be damaged.
 template <class Point, std::unsigned_integral Index>
 struct told_mesh {
     storage<Point> points;
@@ -171,7 +173,7 @@ struct told_mesh {
     int generation;
 };
 
-/// The arrays of a mesh but its points, in the order of a message.
+/// Calls f for the arrays of a mesh except its points, in the order of a message.
 template <class Topology, class F>
 void for_each_array(Topology& t, const F& f)
 {
@@ -189,7 +191,7 @@ void pack_mesh(packer& out, const basic_mesh<Point, Index>& mesh)
     for_each_array(t, [&](const auto& array) { out.add_array(array); });
 }
 
-/// The inverse. Errors: pack_error for a message that ends too early.
+/// Returns the mesh that pack_mesh has written. Errors: pack_error for a message that ends too early.
 template <class Point, std::unsigned_integral Index>
 told_mesh<Point, Index> unpack_mesh(unpacker& in)
 {
@@ -203,7 +205,7 @@ told_mesh<Point, Index> unpack_mesh(unpacker& in)
     return {std::move(points), std::move(t), generation};
 }
 
-/// The arrays of a tile beside its mesh, in the order of a message.
+/// Calls f for the arrays of a tile besides its mesh, in the order of a message.
 template <tile_like Tile, class F>
 void for_each_array_of_tile(Tile& part, const F& f)
 {
@@ -214,7 +216,7 @@ void for_each_array_of_tile(Tile& part, const F& f)
 
 } // namespace detail
 
-/// A tile and the state of its scheme as one message. Cost: O(elements).
+/// Returns a tile and the state of its scheme as one message. Cost: O(elements).
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
 {
@@ -230,9 +232,9 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
     return bytes;
 }
 
-/// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry, and any state.
-/// Errors: pack_error for bytes that are damaged or not such a message, and for a tile whose elements are not in the
-/// order of their numbers in the whole mesh.
+/// Returns the tile and the scheme that `pack` has written. `scheme` has the options of the job, which messages do not
+/// contain; its state is replaced. Errors: pack_error for bytes that are damaged or no such message; and for a tile
+/// whose elements are not in the order of their global numbers.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Scheme scheme)
 {

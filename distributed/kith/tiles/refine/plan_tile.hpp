@@ -21,7 +21,7 @@
 
 namespace kith {
 
-/// Bytes for each vertex, face and corner of a level.
+/// The bytes for each vertex, face and corner of a level.
 struct element_bytes {
     double vertex = 0, face = 0, corner = 0;
 
@@ -34,7 +34,7 @@ struct element_bytes {
 
 namespace detail {
 
-/// A tile with its numbers in the whole mesh, of a share of a level.
+/// Returns the bytes of a tile that has a share of a level, with its global numbers.
 inline double bytes_of_tile(const planned_level& whole, double share)
 {
     const counts& c = whole.counts;
@@ -43,7 +43,7 @@ inline double bytes_of_tile(const planned_level& whole, double share)
            (double(whole.bytes) + vertex * double(c.vertices) + edge * double(c.edges) + face * double(c.faces));
 }
 
-/// The same of the last level: points, face lists, and numbers of vertices and faces.
+/// Returns the bytes of a tile of the last level: points, face lists, and numbers of vertices and faces.
 inline double bytes_of_last_tile(const planned_level& whole, double share)
 {
     const counts& c = whole.counts;
@@ -55,7 +55,8 @@ inline double bytes_of_last_tile(const planned_level& whole, double share)
 
 namespace detail {
 
-/// The share of each level that a tile keeps, which has `owned` of level 0 and ghosts for the last level.
+/// Returns the share of each level that a tile keeps. The tile owns the share `owned` of level 0; `ghosts` is the share
+/// of its ghosts there.
 template <reaching_scheme Scheme>
 std::vector<double> shares_of_tile(const std::vector<planned_level>& whole, const Scheme& scheme, double owned,
                                    double ghosts, std::optional<int> last_rings)
@@ -70,8 +71,9 @@ std::vector<double> shares_of_tile(const std::vector<planned_level>& whole, cons
     return result;
 }
 
-/// Returns the bytes that are in use at most where the last steps of a tile are made in patches: the level where they
-/// begin, points and faces of the last level with all ghosts of that one, their numbers, and what is kept.
+/// Returns the largest number of bytes in use when the last steps of a tile are made in patches. They consist of the
+/// level where patches begin, with points and faces of the last level for all its faces and ghosts; their numbers; and
+/// the part that is kept.
 template <reaching_scheme Scheme>
 double bytes_in_patches(const std::vector<planned_level>& whole, const Scheme& scheme,
                         const std::vector<double>& shares, double owned)
@@ -89,16 +91,16 @@ double bytes_in_patches(const std::vector<planned_level>& whole, const Scheme& s
 
 } // namespace detail
 
-/// The bytes that are in use at most while a tile is refined to the last of these levels, of which the owned faces are
-/// kept: the tile before a step, what the step makes of it and of its ghosts, and what is kept of that; an eighth more
-/// for memory that is kept to be used again, a third if there were tiles before, of other sizes. With `last_rings` the
-/// last level has its edges and as many rings of ghosts, and its elements take `last_more` when it is done. `state` is
-/// what the scheme keeps of each level, such as fields: it is there twice of the level before a step and of
-/// the next, and then of the part of this that is kept.
-/// `whole` is the plan of the whole mesh with the tile's type of index, although that index could not number it.
-/// `owned` is the tile's share of the corners of level 0, `ghosts` are the faces around it as a share of all. Of
-/// ghosts the rings stay and their faces get smaller, so that their share falls with every level.
-/// Errors: as ring_schedule. Cost: O(levels).
+/// Returns the largest number of bytes in use while a tile is refined to the last of these levels. They consist of
+/// three parts: the tile before a step; the result of the step for the tile and its ghosts; and the part of the result
+/// that is kept. An eighth is added for memory that is kept for reuse, or a third if the tile is one of several of
+/// different sizes.
+/// `whole` is the plan of the whole mesh with the tile's type of index, even if that index could not number it. `owned`
+/// is the tile's share of the corners of level 0. `ghosts` is the number of its ghosts as a share of all faces. The
+/// rings of ghosts stay while their faces get smaller, so their share falls with every level. With `last_rings` the
+/// last level has its edges and `last_rings` rings of ghosts, and its finished elements take `last_more`; otherwise
+/// only owned faces are kept. `state` is the size of the scheme's state, such as fields. It counts twice for each of
+/// the two levels of a step, and once for the kept part of the second. Errors: as ring_schedule. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& scheme, double owned, double ghosts,
                          std::optional<int> last_rings = std::nullopt, const element_bytes& last_more = {},
@@ -119,7 +121,7 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
                                 detail::bytes_of_last_tile(next, owned));
             most = std::max(most, detail::bytes_in_patches(whole, scheme, shares, owned));
         } else {
-            const counts& c = next.counts; // marks, and for all that is kept where it was and where it is
+            const counts& c = next.counts; // marks, and old and new places of all kept elements
             const double marks = 9 * double(c.vertices) + 11 * double(c.edges) + 9 * double(c.faces);
             most = std::max(most,
                             before + share(level) * (double(next.bytes) + marks) +
@@ -134,24 +136,24 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
     return std::uint64_t(std::min(owned < 1 ? most * 4 / 3 : most * 9 / 8, 1e19));
 }
 
-/// About so many faces lie in the rings around that many faces of a surface.
+/// Returns the approximate number of faces in `rings` rings around a compact part of `faces` faces.
 inline double ghosts_around(double faces, int rings)
 {
     return rings * (6 * std::sqrt(faces) + 6 * rings);
 }
 
-/// A tile of level 0, as its memory depends on it.
+/// The size of a tile of level 0, from which its memory follows.
 struct tile_size {
-    double faces = 0, corners = 0; ///< that it owns
+    double faces = 0, corners = 0; ///< owned by the tile
     double ghosts = 0;             ///< faces around them
 };
 
-/// What tiles of a refinement need, by the counts of its levels. State of the scheme is not counted, nor what a program
-/// keeps beside the tiles.
+/// The memory that tiles of a refinement need, computed from the counts of its levels. It contains neither the state of
+/// the scheme nor other data of the program.
 template <reaching_scheme Scheme>
 class tile_memory {
 public:
-    /// `last_rings` as for the refinement.
+    /// Takes the levels of a refinement and its `last_rings`.
     tile_memory(const global_levels<Scheme>& whole, const Scheme& scheme, std::size_t point_bytes,
                 std::size_t index_bytes, std::optional<int> last_rings)
         : scheme_(scheme), last_rings_(last_rings), rings_(whole.rings(0))
@@ -169,19 +171,19 @@ public:
         }
     }
 
-    /// A part of so many faces with that many corners, with as many ghosts as a compact part has.
+    /// Returns the size of a part with these owned faces and corners, with as many ghosts as a compact part has.
     [[nodiscard]] tile_size size_of(double faces, double corners) const
     {
         const auto all = double(levels_[0].counts.faces);
         return {faces, corners, std::min(all - faces, ghosts_around(faces, rings_))};
     }
-    /// The bytes that are in use at most while a tile is refined.
+    /// Returns the largest number of bytes in use while a tile is refined.
     [[nodiscard]] std::uint64_t refined(const tile_size& tile) const
     {
         return is_countable_ ? tile_bytes(levels_, scheme_, owned(tile), ghosts(tile), last_rings_)
                              : std::numeric_limits<std::uint64_t>::max();
     }
-    /// The bytes of all levels of a tile.
+    /// Returns the bytes of all levels of a tile.
     [[nodiscard]] std::uint64_t kept(const tile_size& tile) const
     {
         const auto share = detail::shares_of_tile(levels_, scheme_, owned(tile), ghosts(tile), last_rings_);
@@ -191,8 +193,8 @@ public:
         return is_countable_ ? std::uint64_t(std::min(result, 1e19)) : std::numeric_limits<std::uint64_t>::max();
     }
 
-    /// Errors: mesh_error unless `at_once` tiles of this size can be refined within so many bytes; the text says of how
-    /// many tiles that is true.
+    /// Throws mesh_error unless `at_once` tiles of this size can be refined within `limit` bytes. The message names the
+    /// number of tiles for which this is possible.
     void require(const tile_size& largest, std::size_t at_once, std::uint64_t limit) const
     {
         const std::uint64_t one = refined(largest);
@@ -210,15 +212,15 @@ public:
         throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + what + " bytes at once, the limit of a rank is " +
                          std::to_string(limit) + "; " + ways + "or refine fewer times");
     }
-    /// Errors: mesh_error unless a rank can keep all levels of so many tiles within so many bytes; the text says on how
-    /// many ranks that is true.
+    /// Throws mesh_error unless a rank can keep all levels of its share of `tiles` tiles within `limit` bytes. The
+    /// message names the number of ranks for which this is possible.
     void require_levels(const tile_size& largest, std::uint64_t tiles, std::uint64_t ranks, std::uint64_t limit) const
     {
         const double each = double(kept(largest)), step = double(refined(largest));
         const std::uint64_t here = (tiles + ranks - 1) / ranks;
         if (each * double(here) + step <= double(limit))
             return;
-        const auto most = std::uint64_t(std::max(0., (double(limit) - step) / each)); // tiles of a rank
+        const auto most = std::uint64_t(std::max(0., (double(limit) - step) / each)); // tiles that one rank can keep
         const std::string ways = most == 0 ? "cut it into more tiles"
                                            : "use " + std::to_string((tiles + most - 1) / most) + " ranks or more";
         throw mesh_error(std::string(scheme_name<Scheme>()) + ": all levels of " + std::to_string(here) +
@@ -241,7 +243,8 @@ private:
     {
         return one > std::numeric_limits<std::uint64_t>::max() / times ? "more than 2^64" : std::to_string(one * times);
     }
-    /// The fewest tiles, about, of which each fits; parts are not of one size. 0 if there are none.
+    /// Returns about the smallest number of tiles such that each fits, or 0 if there is none. Parts differ in size, by
+    /// a tenth here.
     [[nodiscard]] std::uint64_t tiles_that_fit(std::uint64_t limit) const
     {
         const counts& control = levels_[0].counts;

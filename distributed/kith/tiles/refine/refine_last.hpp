@@ -14,9 +14,8 @@
 
 namespace kith {
 
-/// The last step of all: the faces that the tile owns and their vertices, without edges and ghosts, in half of the
-/// memory.
-/// Errors and cost: as refine_once.
+/// Makes the last step of a refinement: returns the owned faces and their vertices, without edges and ghosts, in half
+/// of the memory. Errors and cost: as refine_once.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& scheme, int level,
                                const global_levels<Scheme>& whole)

@@ -12,18 +12,18 @@
 
 namespace kith {
 
-/// A tile of level 0 and the scheme for it, whose state (creases) is numbered as the tile is.
+/// A tile of level 0 and its scheme, whose state (creases) is numbered as the tile is.
 template <tile_like Tile, scheme Scheme>
 struct tile_job {
     Tile part;
     Scheme scheme;
 };
 
-/// A tile of any level, and the scheme for it, whose state (creases, fields) is that of this level, numbered as the
+/// A tile of any level and its scheme. The state of the scheme (creases, fields) is that of this level, numbered as the
 /// tile is.
 template <tile_like Tile, scheme Scheme>
 struct kept_tile {
-    std::uint64_t number = 0; ///< which of all tiles
+    std::uint64_t number = 0; ///< number of the tile among all tiles
     int level = 0;
     Tile part;
     Scheme scheme;
@@ -31,12 +31,13 @@ struct kept_tile {
 
 namespace detail {
 
-/// A scheme that makes nothing, of tiles that are moved without one.
+/// A scheme that makes nothing, for tiles that are moved without a scheme.
 struct no_scheme {
     static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
 };
 
-/// The scheme of a tile of level 0: the same, with its state, which is that of the whole mesh, for the part.
+/// Returns the scheme of a tile of level 0: `scheme` with its state, which is that of the whole mesh, restricted to the
+/// tile.
 template <scheme Scheme, tile_like Tile>
 Scheme scheme_of_tile(const Scheme& scheme, const Tile& part)
 {

@@ -22,13 +22,14 @@ namespace kith::detail {
 
 #ifdef KITH_HAS_LANES
 
-/// Makes the last level of a tile from what patches have made of it and of its rim. Its elements are known by their
-/// descent from the level whose faces own patches.
+/// The last level of a tile, made from patches of the owned faces and of the faces around them. Its elements are
+/// numbered by their descent from the level whose faces have patches.
 template <class Point, std::unsigned_integral Index>
 class tile_of_patches {
 public:
-    /// `here` and `there` are the columns of the steps in the mesh of the tile and in the whole mesh, which make `last`
-    /// and so many vertices; all faces have this degree, or several, 0. `coarse` must outlive this object.
+    /// Takes the tile `coarse`, which must outlive this object. `here` and `there` are the columns of the steps in the
+    /// mesh of the tile and in the whole mesh. `last` has the counts of the tile's last level, `vertices_there` the
+    /// vertices of the whole last level. `degree` is the degree of all faces, or 0 if they may have several.
     tile_of_patches(const tile<Point, Index>& coarse, std::span<const column_bases> here,
                     std::span<const column_bases> there, const counts& last, std::uint64_t vertices_there,
                     std::size_t degree)
@@ -66,9 +67,10 @@ public:
         }
     }
 
-    /// Returns marks of the faces of the coarse tile whose patches are needed: the owned ones and those around them.
+    /// Returns marks of the faces of the coarse tile whose patches are needed: the owned faces and the faces around
+    /// them.
     [[nodiscard]] std::span<const unsigned char> is_patched() const { return is_patched_; }
-    /// Makes room for the patches, which are written in the numbers of the refined mesh of the tile.
+    /// Allocates the output of the patches, which is in the numbers of the refined mesh of the tile.
     [[nodiscard]] patch_output<Point, Index> make_room()
     {
         points_ = storage<Point>(last_.vertices);
@@ -86,7 +88,7 @@ public:
         number_vertices(marks, result);
         auto faces = taken_faces(result);
         faces.vertices = result.vertex_ids.size();
-        corner_vertex_ = {}; // before there are points twice
+        corner_vertex_ = {}; // released before the points are copied
         result.mesh = basic_mesh<Point, Index>(taken_points(marks, faces.vertices), std::move(faces), generation);
         return result;
     }
@@ -94,10 +96,10 @@ public:
 private:
     enum : unsigned char { elsewhere = 0, ours = 1, at_rim = 2, rim_comes_first = 4 };
 
-    /// Faces of the last level that descend in one way from one element of the coarse tile.
+    /// A run of faces of the last level that descend in one way from one element of the coarse tile.
     struct face_run {
         std::size_t way, element;
-        std::uint64_t first, corner, degree; ///< the first face, its first corner, and the degree of all of them
+        std::uint64_t first, corner, degree; ///< the first face, its first corner, and the degree of all faces
     };
 
     [[nodiscard]] std::span<const global_id> ids(tuple_kind kind) const
@@ -116,8 +118,8 @@ private:
     {
         return face_of_patch(coarse_.mesh.topology(), kind, x);
     }
-    /// Calls f(face_run) for the faces that descend from elements that are `ours` or `at_rim`, in the order of their
-    /// numbers.
+    /// Calls f(face_run) for the faces that descend from elements with `place` `ours` or `at_rim`, in the order of
+    /// their numbers.
     template <class F>
     void for_each_run(unsigned char place, const F& f) const
     {
@@ -133,7 +135,7 @@ private:
             }
         }
     }
-    /// Calls f(face, vertex) for the corners of these faces that patches have made.
+    /// Calls f(face, vertex) for the corners that patches have made of faces with this place.
     template <class F>
     void for_each_corner(unsigned char place, F f) const
     {
@@ -145,14 +147,15 @@ private:
                         f(Index(face), *vertex);
         });
     }
-    /// Marks the vertices of owned faces, and of those at the rim whether the first face is there.
+    /// Returns marks of the vertices of owned faces. At the rim they also tell whether the first face at the vertex is
+    /// not owned.
     [[nodiscard]] storage<unsigned char> marks_of_vertices() const
     {
         storage<unsigned char> marks(points_.size());
         std::ranges::fill(marks, is_whole_ ? ours : 0);
         if (is_whole_)
             return marks;
-        storage<Index> first_at_rim(points_.size()); // of the faces of a vertex, if it is marked
+        storage<Index> first_at_rim(points_.size()); // the first face at each marked vertex
         for_each_corner(at_rim, [&](Index face, Index v) {
             if (marks[v] == 0)
                 first_at_rim[v] = face;
@@ -165,7 +168,7 @@ private:
         });
         return marks;
     }
-    /// Numbers the vertices of owned faces one after the other, and writes what the tile knows of them.
+    /// Numbers the vertices of owned faces in their order, and writes their global numbers and marks.
     void number_vertices(const storage<unsigned char>& marks, tile<Point, Index>& result)
     {
         const auto size = std::size_t(
@@ -205,7 +208,7 @@ private:
                 points[number_[v]] = points_[v];
         return points;
     }
-    /// Writes what the tile knows of owned faces, and returns them with their new vertices.
+    /// Writes the numbers and marks of owned faces, and returns the faces with their new vertices.
     [[nodiscard]] connectivity<Index> taken_faces(tile<Point, Index>& result)
     {
         std::vector<std::size_t> degrees; // of the faces of each run
@@ -259,7 +262,7 @@ private:
             next += there.each;
         });
     }
-    /// Returns the first face at each vertex or edge, if faces descend from those.
+    /// Returns the first face at each vertex or edge, if faces descend from elements of this kind; else nothing.
     [[nodiscard]] std::vector<Index> first_faces(tuple_kind kind) const
     {
         if (std::ranges::find(faces_, kind, &descent::from) == faces_.end())
@@ -275,16 +278,16 @@ private:
     }
 
     const tile<Point, Index>& coarse_;
-    std::size_t degree_; // of the faces; 0: they may have several
+    std::size_t degree_; // of the faces, or 0 if they may have several
     std::vector<descent> vertices_, vertices_there_, faces_, faces_there_;
     std::vector<descent_of_corners> corners_, corners_there_; // of these faces
     counts last_;
     std::vector<global_id> corner_ids_;                // of the coarse tile, if faces may have several degrees
-    std::array<std::vector<unsigned char>, 7> places_; // by kind: where each element is
-    storage<Point> points_;                 // of the refined mesh of the tile, as far as patches have written it
-    storage<Index> corner_vertex_, number_; // number_: of each vertex that is taken
+    std::array<std::vector<unsigned char>, 7> places_; // by kind: the place of each element
+    storage<Point> points_;                 // of the refined mesh of the tile; patches have written only a part
+    storage<Index> corner_vertex_, number_; // number_: the new number of each kept vertex
     std::vector<unsigned char> is_patched_;
-    bool is_whole_; // all vertices are taken, with their numbers
+    bool is_whole_; // true if all vertices are kept with their numbers
 };
 
 #endif

@@ -20,7 +20,7 @@
 
 namespace kith::detail {
 
-/// A refined tile before it is trimmed: too large by what the ghosts made, wrong at its rim.
+/// A refined tile before it is trimmed. It still has all that its ghosts made, and its outermost elements are wrong.
 template <tile_like Tile, scheme Scheme>
 class tile_step {
     using point = typename Tile::point_type;
@@ -43,7 +43,7 @@ public:
         is_owned_ = elements_.owned_faces();
     }
 
-    /// Of the owned faces keeps those that touch the boundary of the whole mesh.
+    /// Keeps as owned only the owned faces that touch the boundary of the whole mesh.
     void keep_boundary()
     {
         const auto& t = fine_.topology();
@@ -57,7 +57,8 @@ public:
                 is_owned_[f] = 0;
     }
 
-    /// The owned faces with `rings` rings around them, in the numbers of the whole mesh; `scheme` becomes theirs.
+    /// Returns the owned faces with `rings` rings around them and their global numbers; `scheme` becomes the scheme of
+    /// the result.
     [[nodiscard]] Tile trim(int rings, Scheme& scheme)
     {
         submesh_cutter<point, index> cutter(fine_);
@@ -84,7 +85,7 @@ public:
     }
 
 private:
-    /// The face at an edge with the smallest number.
+    /// Returns the face with the smallest number at an edge.
     [[nodiscard]] index first_face(std::size_t edge) const
     {
         const auto& t = fine_.topology();
@@ -100,9 +101,9 @@ private:
     std::vector<unsigned char> is_owned_;
 };
 
-/// Refines a tile of a whole mesh with these counts once and keeps all that the step makes, also what is wrong at the
-/// rim. The tile knows the numbers of its elements and which it owns, and says nothing of cuts. `scheme` becomes that
-/// of the next level.
+/// Refines a tile of a whole mesh with these counts once and keeps all that the step makes, including wrong outermost
+/// elements. The result has the global numbers of its elements and their owned marks, but no cut marks. `scheme`
+/// becomes that of the next level.
 /// Preconditions: numbers are affine with and without a boundary, and all faces have the degree of refined ones.
 /// Errors: as `refine`. Cost: that of the step.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
