@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t block = std::size_t(1) << 20;
 
-/// Closes a file at the end of a scope.
+/// A guard that closes a file at the end of a scope.
 struct closed_at_end {
     int descriptor;
     ~closed_at_end() { close(descriptor); }

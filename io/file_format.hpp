@@ -13,13 +13,13 @@
 
 namespace kith::io {
 
-/// Attributes of vertices and of faces.
+/// The attributes of vertices and of faces.
 struct element_attributes {
     attribute_list vertices, faces;
 };
 
-/// A format of files: what reads and writes it, and what it has room for. Each format has one such value beside its
-/// writer; mesh_format.cpp lists them.
+/// A file format: the functions that read and write it, and what it has room for. Each format has one value of this
+/// type beside its writer; mesh_format.cpp lists them.
 struct file_format {
     mesh_format format;
     std::string_view extension;
@@ -30,20 +30,20 @@ struct file_format {
     polygon_soup (*read_in_folder)(std::string_view bytes, const std::string& folder) = nullptr;
     /// Writes a mesh. Null: the format is written in tiles.
     void (*write)(std::ostream&, const written_mesh&) = nullptr;
-    /// Refuses what the format has no room for. Errors: file_error.
+    /// Throws file_error if the mesh or something written with it has no room in the format.
     void (*require)(const written_mesh&) = nullptr;
     /// Finds the attributes that the format has room for. Null: tiles decide.
     held_attributes (*held)(const mesh_attributes&, bool binary) = nullptr;
-    /// Tests whether the format has room for a line of file_lines. Null: it has none.
+    /// Returns true if the format has room for a line of file_lines. Null: it has none.
     bool (*holds_line)(std::string_view line) = nullptr;
-    /// Finds the attributes that are written as 0 where an element has no value. Null: there are none.
+    /// Finds the attributes that are written as 0 if an element has no value. Null: there are none.
     element_attributes (*zeros)(const mesh_attributes&, const held_attributes&) = nullptr;
-    /// Names what the writer rounds, and takes it out of `not_held`. Null: the writer rounds nothing.
+    /// Returns the names of what the writer rounds, and removes them from `not_held`. Null: the writer rounds nothing.
     std::vector<std::string> (*rounds)(const mesh_attributes&, const held_attributes&,
                                        mesh_attributes& not_held) = nullptr;
 };
 
-/// Returns the value of a format. Errors: file_error for a number that is none.
+/// Returns the description of a format. Errors: file_error for a number that is no format.
 const file_format& file_format_of(mesh_format format);
 
 } // namespace kith::io

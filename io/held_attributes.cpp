@@ -19,7 +19,7 @@ namespace kith::io {
 
 namespace {
 
-/// Whether a format has room for an attribute among these.
+/// A test: is_held(a) is true if a format has room for the attribute `a` of these attributes.
 class held_test {
 public:
     held_test(mesh_format format, const mesh_attributes& attributes, bool binary)

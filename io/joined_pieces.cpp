@@ -15,10 +15,11 @@ namespace kith::io {
 
 namespace {
 
-/// Appends the attributes of pieces under one another. Where pieces have different types, numbers become doubles.
+/// A list of joined attributes, to which the attributes of one piece after the other are appended. Where pieces have
+/// different types, numbers become doubles.
 class joined_attributes {
 public:
-    /// Precondition: the piece has elements of the kind.
+    /// Appends the attributes of a piece. Precondition: the piece has elements of the kind.
     void append(std::vector<attribute>&& attributes)
     {
         ++pieces_;
@@ -37,7 +38,7 @@ public:
             joined.values.insert(joined.values.end(), a.values.begin(), a.values.end());
         }
     }
-    /// Returns those that all pieces have; names the others.
+    /// Returns the attributes that all pieces have, and adds the names of the others to `not_kept`.
     std::vector<attribute> take(std::vector<std::string>& not_kept)
     {
         std::vector<attribute> result;
@@ -77,9 +78,9 @@ public:
     }
 
     [[nodiscard]] std::size_t size() const { return order_.size(); }
-    /// The first element with the n-th id.
+    /// Returns the first element with the n-th id.
     [[nodiscard]] std::size_t element(std::size_t n) const { return order_[n]; }
-    /// The inverse, for all elements with that id.
+    /// Returns n for every element with the n-th id.
     [[nodiscard]] std::size_t number(std::size_t element) const { return number_[element]; }
     void sort(std::vector<attribute>& attributes) const
     {
@@ -125,7 +126,7 @@ void sort_faces(polygon_soup& soup, const std::vector<double>& ids)
     by_id.sort(soup.attributes.faces);
 }
 
-/// Takes out the faces of which each piece says that they belong to another one.
+/// Removes the faces that, as the piece says, belong to another piece.
 void leave_out_ghosts(vtu_piece& piece)
 {
     if (piece.is_ghost.empty())
@@ -155,7 +156,7 @@ polygon_soup joined_pieces(std::vector<vtu_piece> pieces)
     polygon_soup result;
     joined_attributes of_vertices, of_faces;
     std::vector<double> point_ids, cell_ids;
-    std::unordered_set<std::string> told; // what is not kept
+    std::unordered_set<std::string> told; // names of what is not kept
     for (vtu_piece& piece : pieces) {
         leave_out_ghosts(piece);
         polygon_soup& soup = piece.soup;

@@ -15,10 +15,10 @@ extern const file_format off_format, obj_format, ply_format, stl_format, vtu_for
 
 namespace {
 
-/// All formats, in the order of mesh_format.
+/// The formats, in the order of mesh_format.
 constexpr std::array formats{&off_format, &obj_format, &ply_format, &stl_format, &vtu_format, &vtp_format};
 
-/// ".off, .obj or .ply"
+/// Returns the extensions as a text: ".off, .obj or .ply".
 std::string listed(const std::vector<std::string_view>& extensions)
 {
     std::string result;

@@ -16,7 +16,7 @@ namespace {
 
 using cursor = text_cursor<text_kind::with_continuations>;
 
-/// From this sharpness on an edge is sharp for ever in OpenSubdiv's files.
+/// The least sharpness with which an edge stays sharp for ever in OpenSubdiv's files.
 constexpr double sharp_for_ever = 10;
 
 struct tag_arguments {
@@ -25,7 +25,7 @@ struct tag_arguments {
     std::vector<std::string_view> words;
 };
 
-/// The three sizes, and then so many arguments.
+/// Reads the three counts of arguments, and then the arguments.
 tag_arguments read_arguments(cursor& text)
 {
     std::string_view sizes = text.word();
@@ -61,7 +61,7 @@ tag_arguments read_arguments(cursor& text)
     return result;
 }
 
-/// The sharpness of the i-th of several elements, which have one each or one for all.
+/// Returns the sharpness of the i-th of several elements. `given` has one value per element, or one for all.
 double sharpness_at(cursor& text, const std::vector<double>& given, std::size_t i, std::size_t elements)
 {
     if (given.size() != 1 and given.size() != elements)

@@ -31,8 +31,8 @@ namespace {
 constexpr std::string_view mark_of_unfinished = ".incomplete-";
 constexpr std::string_view mark_of_directory = ".pieces";
 
-/// All files that a signal has to remove, as a list through the files themselves, so that adding and removing one
-/// cannot fail. Never destroyed, as a signal may come while the program ends.
+/// The list of all files that a signal has to remove. It leads through the files themselves, so that adding and
+/// removing one cannot fail. It is never destroyed, because a signal may come while the program ends.
 struct unfinished_files {
     std::recursive_mutex mutex;
     unfinished_file* first = nullptr;
@@ -44,7 +44,7 @@ unfinished_files& unfinished()
     return *all;
 }
 
-/// Closes a directory at the end of a scope.
+/// A directory that is open until the end of a scope.
 struct open_directory {
     explicit open_directory(const char* path) : stream(::opendir(path)) {}
     open_directory(const open_directory&) = delete;
@@ -54,7 +54,7 @@ struct open_directory {
         if (stream != nullptr)
             ::closedir(stream);
     }
-    /// The name of the next entry, or null after the last one.
+    /// Returns the name of the next entry, or null after the last one.
     [[nodiscard]] const char* next() const
     {
         const dirent* const entry = stream == nullptr ? nullptr : ::readdir(stream);
@@ -64,8 +64,8 @@ struct open_directory {
     DIR* stream;
 };
 
-/// Removes a directory with the files in it. Returns false if something of it is left. Makes no object on the heap, as
-/// it is called when memory has ended.
+/// Removes a directory and the files in it. Returns false if something of it is left. Makes no object on the heap,
+/// because it is also called when memory has run out.
 bool remove_directory(const char* path) noexcept
 {
     {
@@ -115,7 +115,8 @@ void* wait_for_signal(void*)
     return nullptr;
 }
 
-/// Opens a file for writing and locks it, unless another process holds it; -1 then, and errno tells why.
+/// Opens a file for writing and locks it. Returns -1 on an error, or if another process holds the lock; errno has the
+/// reason.
 int open_locked(const std::string& path, int flags)
 {
     for (;;) {
@@ -134,11 +135,11 @@ int open_locked(const std::string& path, int flags)
         errno = reason;
         if (not locked or (flags & O_CREAT) == 0)
             return -1;
-        // Another process took the file that was just made for one left behind, and removed it.
+        // Another process mistook the new file for one that was left behind, and removed it.
     }
 }
 
-/// Removes what processes that were killed have left of the same output.
+/// Removes the files that killed processes have left of the same output.
 void remove_stale(const std::string& target)
 {
     const fs::path place(target);
@@ -181,7 +182,7 @@ void remove_unfinished_when_interrupted(std::chrono::milliseconds patience, void
     pthread_attr_setstacksize(&settings, small_stack);
     pthread_t thread;
     if (pthread_create(&thread, &settings, wait_for_signal, nullptr) != 0)
-        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr); // the program can be ended, if nothing more
+        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr); // signals can then at least end the program
     pthread_attr_destroy(&settings);
 }
 
@@ -244,7 +245,7 @@ unfinished_file::unfinished_file(const std::string& path) : unfinished_file() //
     name_ = unfinished_name(target_, static_cast<unsigned long>(::getpid()));
     create();
     if (exists)
-        ::fchmod(descriptor_, mode_t(before.permissions())); // from the first byte on, as it may be a secret
+        ::fchmod(descriptor_, mode_t(before.permissions())); // before the first byte, as the file may be secret
 }
 
 void unfinished_file::create()
@@ -275,7 +276,7 @@ void unfinished_file::remove() noexcept
         ::unlink(name_.c_str()); // if that cannot be removed either, the error has been reported already
         forget();
     }
-    ::close(std::exchange(descriptor_, -1)); // and with it the lock
+    ::close(std::exchange(descriptor_, -1)); // this also releases the lock
 }
 
 void unfinished_file::remove_for_good() const

@@ -20,7 +20,7 @@ namespace kith::io {
 
 namespace {
 
-/// Statements that say nothing about the polygons, and what they are about; nothing: not worth a word.
+/// The statements that say nothing about the polygons, and their topics. Statements without a topic are not reported.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 42> other_statements{
     {{"mg", "smoothing groups"},
      {"maplib", "texture maps"},
@@ -69,8 +69,8 @@ using cursor = text_cursor<text_kind::with_continuations>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Lines of one to three numbers to which corners refer, before or behind them: `vt` or `vn`. What is not finite, as
-/// some programs write the normals of a face without area, is none.
+/// The lines of one to three numbers, `vt` or `vn`, to which corners refer before or behind these lines. Numbers that
+/// are not finite count as missing: some programs write such normals for a face without area.
 class referred_lines {
 public:
     explicit referred_lines(const char* name) : name_(name) {}
@@ -92,7 +92,8 @@ public:
         most_numbers_ = std::max(most_numbers_, std::min(numbers, std::size_t(3)));
         lines_.push_back(line);
     }
-    /// What a corner has: a number from 1, or one that counts back from the last line so far.
+    /// Adds the reference of a corner: a line number from 1, or a negative one that counts back from the last line so
+    /// far.
     void refer(std::size_t corner, std::ptrdiff_t index, std::size_t face, const cursor& text)
     {
         if (index == 0 or index < -std::ptrdiff_t(size()))
@@ -100,7 +101,7 @@ public:
         of_corner_.resize(corner, none);
         of_corner_.push_back(std::size_t(index > 0 ? index - 1 : std::ptrdiff_t(size()) + index));
     }
-    /// Forgets all references where the file has no line at all, so that nothing is lost. Whether there were any.
+    /// Removes all references if the file has no line at all, so that nothing is lost. Returns true if there were any.
     bool forget_if_empty()
     {
         const bool is_forgotten = lines_.empty() and not of_corner_.empty();
@@ -108,7 +109,7 @@ public:
             of_corner_.clear();
         return is_forgotten;
     }
-    /// The first corner whose line does not exist.
+    /// Returns the first corner whose line does not exist, if there is one.
     [[nodiscard]] std::optional<std::size_t> first_without_line() const
     {
         const auto found = std::ranges::find_if(of_corner_,
@@ -119,7 +120,7 @@ public:
     {
         return complaint(face, std::ptrdiff_t(of_corner_[corner]) + 1);
     }
-    /// Makes attributes of the numbers. Precondition: no first_without_line.
+    /// Makes attributes of the numbers. Precondition: first_without_line() returns nothing.
     [[nodiscard]] std::vector<attribute> at_corners(std::size_t corners, std::span<const std::string_view> names,
                                                     std::size_t least_numbers) const
     {
@@ -153,11 +154,11 @@ private:
 
     std::string name_;
     std::vector<std::array<double, 3>> lines_;
-    std::vector<std::size_t> of_corner_; ///< up to the last corner that has one
+    std::vector<std::size_t> of_corner_; ///< lines by corner, up to the last corner that has one
     std::size_t most_numbers_ = 0;
 };
 
-/// Words that hold for all faces up to the next ones.
+/// The words of one kind of statement. Each word holds for all faces up to the next statement.
 class face_labels {
 public:
     void begin(const std::string& label, std::size_t face)
@@ -167,7 +168,7 @@ public:
             labels_.push_back(label);
         changes_.emplace_back(face, place->second);
     }
-    /// Whether a face is called anything.
+    /// Returns true if one of the faces has a word.
     [[nodiscard]] bool is_used(std::size_t faces) const
     {
         return std::ranges::any_of(changes_, [&](const auto& c) { return c.second != 0 and c.first < faces; });
@@ -187,7 +188,7 @@ public:
 private:
     std::vector<std::string> labels_{""};
     std::map<std::string, std::size_t> numbers_{{"", 0}};
-    std::vector<std::pair<std::size_t, std::size_t>> changes_; ///< from a face on a label
+    std::vector<std::pair<std::size_t, std::size_t>> changes_; ///< (face, label): the label from this face on
 };
 
 class obj_reader {
@@ -251,7 +252,8 @@ private:
         colors_.resize(soup_.points.size(), {no_number, no_number, no_number, no_number});
         colors_.push_back(color);
     }
-    /// Indices count from 1; negative ones count back from the last vertex so far. `v`, `v/t`, `v//n` and `v/t/n`.
+    /// Reads a face with corners `v`, `v/t`, `v//n` or `v/t/n`. Indices count from 1; negative ones count back from the
+    /// last vertex so far.
     void read_face()
     {
         const std::size_t vertices = soup_.points.size();
@@ -270,7 +272,8 @@ private:
         }
         soup_.faces.first.push_back(soup_.faces.vertices.size());
     }
-    /// Refuses the first face that has a corner without a vertex: those may come behind the faces.
+    /// Throws file_error for the first face with a corner whose vertex does not exist. Only the end of the file shows
+    /// this, because vertices may come behind the faces.
     void require_vertices() const
     {
         const auto& vertices = soup_.faces.vertices;
@@ -283,8 +286,8 @@ private:
                     "face " + std::to_string(face) + ": vertex " + std::to_string(largest + 1) +
                         " does not exist, there are " + std::to_string(soup_.points.size()));
     }
-    /// Refuses the first face that has a corner without its line. Where there are no such lines at all, the references
-    /// are left out, which is noted: some programs leave out the normals and not the references.
+    /// Throws file_error for the first face with a corner whose line does not exist. If the file has no such lines at
+    /// all, leaves out the references and notes that: some programs leave out the normals but not the references.
     void require_lines(referred_lines& lines)
     {
         if (lines.forget_if_empty())
@@ -295,12 +298,12 @@ private:
             refuse_face(face, lines.complaint_of(*corner, face));
         }
     }
-    /// The face of a corner, from 1.
+    /// Returns the number of the face of a corner, from 1.
     [[nodiscard]] std::size_t face_of(std::size_t corner) const
     {
         return std::size_t(std::ranges::upper_bound(soup_.faces.first, corner) - soup_.faces.first.begin());
     }
-    /// Complains in the line of a face, which is looked for in the whole text.
+    /// Throws file_error with the line of a face, which is searched in the whole text.
     [[noreturn]] void refuse_face(std::size_t face, const std::string& complaint) const
     {
         cursor text(bytes_);
@@ -309,7 +312,7 @@ private:
                 break;
         text.refuse(complaint + "; correct the index");
     }
-    /// What stands behind the first slash: `t`, `/n` or `t/n`.
+    /// Reads the text behind the first slash of a corner: `t`, `/n` or `t/n`.
     void read_references(std::string_view rest)
     {
         const std::size_t corner = soup_.faces.vertices.size(), face = soup_.faces.size() + 1;
@@ -330,8 +333,7 @@ private:
                          "but here is more: '" +
                          shown(rest) + "'");
     }
-    /// The words up to the end of the line, with a blank between them. At the end of the file the last one may end in
-    /// what would join the next line.
+    /// Reads the rest of a line `t ...`: odd_generation or a tag.
     void read_tag()
     {
         const auto begin = text_;
@@ -342,6 +344,8 @@ private:
         text_ = begin;
         read_obj_tag(text_, soup_.tags);
     }
+    /// Returns the words up to the end of the line, with a blank between them. Removes backslashes at the end, which
+    /// the last line of a file may have.
     std::string rest_of_line()
     {
         std::string result;
@@ -351,7 +355,7 @@ private:
             result.pop_back();
         return result;
     }
-    /// Whether it was such a statement.
+    /// Reads a statement that names the faces after it. Returns false if it is another statement.
     bool read_label(std::string_view statement)
     {
         const auto found = std::ranges::find(
@@ -386,7 +390,7 @@ private:
             attributes.vertices.emplace_back().name = color_names[i];
             for (const auto& color : colors_)
                 attributes.vertices[i].values.push_back(i == 3 and std::isnan(color[3]) and not std::isnan(color[0])
-                                                            ? 1 // as opaque as others say
+                                                            ? 1 // opaque, as colours of other vertices have an alpha
                                                             : color[i]);
         }
     }

@@ -21,7 +21,7 @@ namespace {
 
 using off_cursor = text_cursor<text_kind::with_comments>;
 
-/// The prefix of the keyword: [ST][C][N][4][n]OFF in any order, as programs do not agree on one.
+/// The prefix of the keyword: [ST][C][N][4][n]OFF in any order, because programs do not agree on one.
 struct off_keyword {
     bool texture = false, color = false, normal = false, homogeneous = false;
     bool has_dimension = false;  ///< the number of coordinates stands behind the keyword
@@ -53,8 +53,8 @@ bool is_larger_than_one(const off_number& x)
     return x.value > 1;
 }
 
-/// Colours of some elements, three or four numbers each. Each colour is of its own kind: whole numbers from 0 to 255,
-/// or numbers from 0 to 1, which have a point.
+/// The colours of some elements, with three or four numbers each. Each colour has its own kind: whole numbers from 0 to
+/// 255, or numbers from 0 to 1, which have a point.
 class colors {
 public:
     void add(std::size_t element, off_numbers color)
@@ -82,8 +82,8 @@ public:
         kinds_.push_back(of_color);
         has_alpha_ |= color.size() == 4;
     }
-    /// Appends the attributes: bytes if all colours are, else shares of 1. A colour of zeros and ones is of the kind of
-    /// the others.
+    /// Appends the attributes: bytes if all colours are bytes, else numbers from 0 to 1. A colour of zeros and ones has
+    /// the kind of the other colours.
     void give(std::vector<attribute>& attributes, std::size_t elements)
     {
         if (kinds_.empty())
@@ -132,7 +132,7 @@ bool is_plausible_color(off_numbers color)
     return std::ranges::all_of(color, is_share, &off_number::value) or
            std::ranges::all_of(color, is_byte, &off_number::value);
 }
-/// Tests whether the vector has length 1, or 0 where a vertex has no normal.
+/// Returns true if the vector has length 1, or length 0 as for a vertex without a normal.
 bool is_plausible_normal(off_numbers n)
 {
     constexpr double tolerance = 0.02; // programs write few digits
@@ -150,7 +150,7 @@ off_keyword read_keyword(off_cursor& text)
     std::ranges::transform(capitals, capitals.begin(), [](char c) { return c >= 'a' and c <= 'z' ? char(c - 32) : c; });
     if (keyword.size() > 16 or not capitals.ends_with("OFF"))
         refuse();
-    const bool is_small = keyword.ends_with("off"); // so n may be N in small letters
+    const bool is_small = keyword.ends_with("off"); // then n may stand for N
     off_keyword result;
     for (std::size_t at = 0; at != keyword.size() - 3;) {
         const std::string_view rest = std::string_view(capitals).substr(at);
@@ -198,7 +198,7 @@ public:
     }
 
 private:
-    /// Goes to the next word; refuses the end of the file.
+    /// Moves to the next word. Errors: file_error at the end of the file.
     template <std::invocable Wanted>
     void to_content(const Wanted& wanted)
     {
@@ -231,9 +231,9 @@ private:
             text_.refuse("vertices have " + counted(dimension, "coordinate") + ", but three are needed; write three");
         to_content([] { return std::string("the numbers of vertices and faces"); });
     }
-    /// Decides by the first vertices whether colours or normals come first: programs do not agree, and both are three
-    /// numbers. Normals have length 1, and colours are bytes or shares of 1. Where all numbers fit both orders, the
-    /// keyword decides, which is noted.
+    /// Decides by the first vertices whether colours or normals come first, because programs do not agree and both are
+    /// three numbers. Normals have length 1; colours are bytes or numbers from 0 to 1. If all numbers fit both orders,
+    /// the keyword decides, which is noted.
     void find_order()
     {
         constexpr std::size_t most_vertices = 4096;
@@ -259,8 +259,9 @@ private:
             soup_.notes.emplace_back("the order of vertex normals and colours is ambiguous; normals are read "
                                      "first, as Geomview writes them after CN");
     }
-    /// Vertices and faces have lines of their own, where colors may follow them. But the format does not ask for that,
-    /// and some files have all their numbers in a line: then nothing but what the keyword says stands between them.
+    /// Returns true if vertices and faces have their own lines, in which colors may follow them. The format does not
+    /// require lines, and some files have all numbers in one line. Then only the numbers that the keyword names stand
+    /// between them.
     bool lines_hold_elements()
     {
         const auto numbers_in_line = [](off_cursor text) {
@@ -345,8 +346,8 @@ private:
     struct number_parts {
         off_numbers normal, color, texture;
     };
-    /// Divides the numbers behind the coordinates; a vertex may lack its colour. Nothing if their count does not fit
-    /// the keyword.
+    /// Divides the numbers behind the coordinates; a vertex may lack its colour. Returns nothing if their count does
+    /// not fit the keyword.
     [[nodiscard]] std::optional<number_parts> parts_of(off_numbers all, bool color_is_first) const
     {
         const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;
@@ -401,7 +402,7 @@ private:
         if (not in_lines_)
             return;
         std::array<off_number, 4>
-            color{}; // three or four numbers, or one, that of a color in a list which programs have
+            color{}; // three or four numbers, or one: a number in a list of colors that programs have
         std::size_t more = 0;
         for (; not text_.at_line_end(); ++more) {
             const off_number x = read_number([&] { return what() + ": its color"; });

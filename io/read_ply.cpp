@@ -47,7 +47,7 @@ public:
             text_.refuse(what() + " is " + std::to_string(value) + ", which does not fit its type");
         return value;
     }
-    /// A number, finite or not.
+    /// Returns the next number, finite or not.
     template <std::invocable What>
     double value(const ply_number& type, const What& what)
     {
@@ -61,7 +61,7 @@ public:
         if (not text_.word_of_any_line().empty())
             text_.refuse("the file goes on after its last element");
     }
-    /// How many numbers there can be at most.
+    /// Returns the largest number of elements, with `numbers` numbers each, for which the rest of the text has room.
     [[nodiscard]] std::size_t room(std::size_t numbers, std::size_t) const { return (text_.left() + 1) / 2 / numbers; }
     [[noreturn]] void refuse(const std::string& what) const { text_.refuse(what); }
 
@@ -110,7 +110,7 @@ public:
     [[noreturn]] void refuse(const std::string& what) const { throw file_error(what); }
 
 private:
-    /// The next bytes, which are there.
+    /// Takes the next bytes. Errors: file_error if the file ends before them.
     template <std::invocable What>
     const char* take(std::size_t bytes, const What& what)
     {
@@ -234,8 +234,8 @@ private:
         for (attribute& a : soup_.attributes.corners)
             a.values.resize(soup_.faces.vertices.size(), no_number);
     }
-    /// The attributes that the properties of an element become, by their numbers in `attributes`; those that are left
-    /// out have the number of none.
+    /// Appends the attributes that the properties of an element become. Returns, for each property, the number of its
+    /// attribute in `attributes`, or `none` if the property is left out.
     static std::vector<std::size_t> columns_of(const ply_element& element, std::vector<attribute>& attributes)
     {
         std::vector<std::size_t> result(element.properties.size(), none);
@@ -261,7 +261,7 @@ private:
         for (std::int64_t left = read_length(element, property, face); left > 0; --left)
             texture_of_face_.push_back(numbers_.value(property.value, what));
     }
-    /// Two numbers per corner, or none for all of them.
+    /// Adds the texture coordinates of a face: two numbers per corner, or none for all of them.
     void give_texture(const std::string& element, std::uint64_t face)
     {
         const std::size_t degree = soup_.faces[std::size_t(face)].size();
@@ -291,7 +291,7 @@ private:
         }
         soup_.faces.first.push_back(soup_.faces.vertices.size());
     }
-    /// Errors: file_error for a vertex that is not in the file.
+    /// Returns the number of a vertex. Errors: file_error for a vertex that is not in the file.
     std::size_t checked_vertex(std::int64_t vertex, const std::string& element, std::uint64_t item) const
     {
         if (vertex < 0 or std::uint64_t(vertex) >= header_->vertices)
@@ -312,7 +312,7 @@ private:
     Numbers numbers_;
     const ply_header* header_;
     polygon_soup soup_;
-    face_list strips_;                    ///< their triangles
+    face_list strips_;                    ///< the triangles of all strips
     std::vector<double> texture_of_face_; ///< of the face that is read
     std::array<std::vector<double>, 2> texture_;
 };

@@ -29,7 +29,7 @@ using cursor = text_cursor<text_kind::plain>;
 constexpr std::size_t header_bytes = 80;
 constexpr std::size_t triangle_bytes = 50; ///< twelve floats and two bytes, in which some programs keep a color
 
-/// Whether a word of text is this one, in letters of any size.
+/// Returns true if a word of a text is `small`, in capital or small letters.
 bool is_word(std::string_view word, std::string_view small)
 {
     return std::ranges::equal(
@@ -50,13 +50,13 @@ Number load(std::string_view bytes, std::size_t at)
     return result;
 }
 
-/// The number of triangles that a binary file announces.
+/// Returns the number of triangles that a binary file announces.
 std::size_t announced_triangles(std::string_view bytes)
 {
     return bytes.size() < binary_size(0) ? 0 : load<std::uint32_t>(bytes, header_bytes);
 }
 
-/// The colour of the whole part, which Materialise writes into the header: "COLOR=" and four bytes.
+/// Returns the colour of the whole part if the header has one, which Materialise writes as "COLOR=" and four bytes.
 std::optional<std::array<double, 4>> part_color(std::string_view header)
 {
     constexpr std::string_view mark = "COLOR=";
@@ -204,7 +204,7 @@ private:
     std::size_t triangles_ = 0, solids_ = 0;
 };
 
-/// The first line that begins with 'solid' or 'facet', if the bytes are a text that has one.
+/// Returns a cursor at the first line that begins with 'solid' or 'facet', if the bytes are a text with such a line.
 std::optional<cursor> begin_of_text(std::string_view bytes)
 {
     if (bytes.substr(0, 512).find('\0') != bytes.npos)

@@ -23,7 +23,7 @@ namespace kith::io {
 
 namespace {
 
-/// The sections of a piece that are read; what stands elsewhere, or tells about an array inside of it, is passed over.
+/// The sections of a piece that are read. Other sections, and information about an array inside of it, are skipped.
 constexpr std::array<std::string_view, 7> sections_that_are_read{
     "FieldData", "Points", "Cells", "Polys", "Strips", "PointData", "CellData"};
 
@@ -32,17 +32,17 @@ class vtu_file_reader {
 public:
     explicit vtu_file_reader(std::string_view bytes) : tags_(bytes) { collect(); }
 
-    /// Whether the file is an index of others.
+    /// Returns true if the file is an index of other files.
     [[nodiscard]] bool is_index() const { return is_index_; }
     [[nodiscard]] const std::vector<std::string>& sources() const { return sources_; }
     [[nodiscard]] std::size_t size() const { return declared_.size(); }
-    /// Appends what the pieces hold. Where they are joined with others, some may be empty.
+    /// Appends the contents of the pieces. If the pieces are joined with others, some may be empty.
     void read_pieces(bool is_joined, vtu_words& words, std::vector<vtu_piece>& pieces) const
     {
         for (const vtu_declaration& declared : declared_)
             pieces.push_back(read_piece(declared, *numbers_, words, is_joined));
     }
-    /// Adds the words that the file declares. Words of one name in several files count where they are the same.
+    /// Adds the words that the file declares. Words of one name in several files count only if they are the same.
     void add_words(vtu_words& words) const
     {
         for (const auto& [name, own] : words_)
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Reads what the file declares.
+    /// Reads the declarations in the file.
     void collect()
     {
         xml_tag tag;
@@ -100,7 +100,7 @@ private:
             throw file_error("a file of VTK begins with the element VTKFile, which is missing");
         return *numbers_;
     }
-    /// Reads words for which the numbers of an array of that name stand, which are data of the whole file.
+    /// Reads the words for which the numbers of an array of that name stand. They are data of the whole file.
     void add_words_of(const xml_tag& tag)
     {
         std::vector<std::string> words;

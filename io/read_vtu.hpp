@@ -8,8 +8,8 @@
 
 namespace kith::io {
 
-/// Same as read_vtu, but of a file in `directory`, from where an index (.pvtu, .pvtp) names the files of its pieces.
-/// Errors: file_error.
+/// Reads a file of VTK like read_vtu(bytes). An index (.pvtu, .pvtp) names the files of its pieces relative to
+/// `directory`. Errors: file_error.
 polygon_soup read_vtu(std::string_view bytes, const std::string& directory);
 
 } // namespace kith::io

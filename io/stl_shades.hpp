@@ -13,7 +13,7 @@ inline std::uint16_t stl_shade(double channel)
 {
     return std::uint16_t(std::lround(31 * std::clamp(channel, 0., 1.)));
 }
-/// Returns the byte of a shade. Its own shade is the same again.
+/// Returns the byte of a shade. stl_shade of this byte is the same shade again.
 inline double byte_of_stl_shade(std::uint16_t shade)
 {
     return std::round(shade * 255. / 31);

@@ -12,9 +12,9 @@
 
 namespace kith::io {
 
-/// Appends the triangles of a strip: each vertex from the third on makes one with the two before it. Every second
-/// triangle is turned, so that all have the orientation of the first. Triangles with a repeated vertex are left out;
-/// strips are joined by such. Errors: file_error, which begins with `name`, for a strip of one or two vertices.
+/// Appends the triangles of a strip: each vertex from the third on forms a triangle with the two before it. Every
+/// second triangle is turned, so that all have the orientation of the first. Triangles with a repeated vertex, which
+/// join strips, are left out. Errors: file_error, which begins with `name`, for a strip of one or two vertices.
 inline void append_strip(face_list& faces, std::span<const std::size_t> strip, const std::string& name)
 {
     if (not strip.empty() and strip.size() < 3)

@@ -40,7 +40,7 @@ std::string called(const vtu_array& array)
     return "the array '" + shown(array.name) + "'";
 }
 
-/// Its value, or -1.
+/// Returns the value of a base64 digit, or -1 for other characters.
 int base64_digit(char c)
 {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -48,8 +48,8 @@ int base64_digit(char c)
     return found == digits.npos ? -1 : int(found);
 }
 
-/// The first so many bytes, as many of them as there are. The length may be encoded by itself, so that = is not the
-/// end.
+/// Decodes the first `size` bytes, or all if there are fewer. The length may be encoded separately, so that '=' is not
+/// the end.
 std::string from_base64(std::string_view text, std::size_t size)
 {
     std::string result;
@@ -87,7 +87,7 @@ void with_zero(const ply_number& type, const F& f)
         type.is_signed ? f(std::int64_t(0)) : f(std::uint64_t(0));
 }
 
-/// Appends a number that a file has; of whole ones it is seen whether a double holds it.
+/// Appends a number of the file. Sets `rounded` if a double cannot hold a whole number of eight bytes exactly.
 template <class Number>
 void append(vtu_values& values, Number number)
 {
@@ -97,7 +97,8 @@ void append(vtu_values& values, Number number)
     values.numbers.push_back(nearest);
 }
 
-/// Appends what a word says if it is a whole number that the type holds and digits and a sign say it.
+/// Appends the number that a word is, if it is written as digits and a sign, and the type can hold it. Returns false
+/// otherwise.
 template <class Number>
 bool append_whole(vtu_values& values, std::string_view word)
 {
@@ -109,13 +110,14 @@ bool append_whole(vtu_values& values, std::string_view word)
     return true;
 }
 
-/// Returns the first bytes of what is encoded, at most `size`.
+/// Returns the first bytes of encoded data, at most `size`.
 std::string decoded(std::string_view text, bool raw, std::size_t size)
 {
     return raw ? std::string(text.substr(0, size)) : from_base64(text, size);
 }
 
-/// Errors: file_error where an array has another length. `length` is nothing where it is beyond all that is needed.
+/// Throws file_error if an array has another length than `size`. A `length` of nothing is larger than any that is
+/// needed.
 void require_length(const vtu_array& array, std::optional<std::uint64_t> length, std::size_t size)
 {
     if (length != size)
@@ -130,8 +132,8 @@ void require_length(const vtu_array& array, std::optional<std::uint64_t> length,
 
 constexpr std::string_view zlib_compressor = "vtkZLibDataCompressor";
 
-/// Appends so many bytes that are compressed in a block; returns false where the block holds others. Memory is taken
-/// only as far as a block of this size can become larger.
+/// Appends `size` bytes that are compressed in a block. Returns false if the block does not hold exactly `size` bytes.
+/// Allocates no more memory than a block of this size can expand to.
 bool append_inflated(std::string& result, std::string_view block, std::uint64_t size)
 {
 #ifdef KITH_HAS_ZLIB
@@ -222,8 +224,8 @@ std::string vtu_numbers::bytes_of(const vtu_array& array, std::size_t size) cons
     return bytes;
 }
 
-/// A compressed array begins with the number of its blocks, the bytes of a block, those of the last one if it is a
-/// smaller one, and the compressed bytes of each block.
+/// Returns the bytes of a compressed array. The array begins with the number of its blocks and the size of a block.
+/// Then come the size of the last block if it is smaller, and the compressed size of each block.
 std::string vtu_numbers::inflated(const vtu_array& array, std::string_view text, bool raw, std::size_t size) const
 {
     if (compressor_ != zlib_compressor)

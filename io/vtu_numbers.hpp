@@ -25,17 +25,17 @@ struct vtu_array {
 /// The values of an array, one component after the other.
 struct vtu_values {
     std::vector<double> numbers;
-    bool rounded = false; ///< whole numbers of eight bytes among them had more digits than a double
+    bool rounded = false; ///< some whole numbers of eight bytes had more digits than a double
 };
 
-/// Where the numbers of all arrays are, and how they are written.
+/// A reader of the numbers of all arrays in a file.
 class vtu_numbers {
 public:
     explicit vtu_numbers(const xml_tag& file);
-    /// Tells what comes behind the arrays: the element AppendedData, and all that follows.
+    /// Sets the data behind the arrays: the element AppendedData, and everything that follows it.
     void set_appended(const xml_tag& tag, std::string_view rest);
 
-    /// Returns so many values for each component. Errors: file_error where they are not there, or do not fit their
+    /// Returns `count` values for each component. Errors: file_error if the values are missing or do not fit their
     /// type, and for an order of bytes or a compressor that is not read.
     [[nodiscard]] vtu_values values(const vtu_array& array, std::size_t count) const;
 
@@ -44,14 +44,15 @@ private:
     [[nodiscard]] std::string bytes_of(const vtu_array& array, std::size_t size) const;
     [[nodiscard]] std::string inflated(const vtu_array& array, std::string_view text, bool raw, std::size_t size) const;
 
-    bool is_big_endian_;     ///< what is not text
-    std::string compressor_; ///< of what is not text; empty: none
+    bool is_big_endian_;     ///< byte order of numbers that are not text
+    std::string compressor_; ///< of numbers that are not text; empty: none
     std::size_t bytes_of_length_ = 4;
     std::string_view appended_;
     bool raw_ = false;
 };
 
-/// Errors: file_error for a type or a number of components that is none.
+/// Returns the array that a tag declares. Errors: file_error for a type, or a number of components, that does not
+/// exist.
 vtu_array vtu_array_of(const xml_tag& tag);
 
 } // namespace kith::io

@@ -21,10 +21,10 @@ namespace kith::io {
 
 namespace {
 
-/// VTK's numbers of the last cell that is of points and lines, and of those that are faces.
+/// VTK's numbers of the types of cells: the last type of points and lines, and the types that are faces.
 constexpr double poly_line = 4, triangle = 5, triangle_strip = 6, polygon = 7, pixel = 8, quad = 9;
 
-/// The array that marks cells of other pieces, and its bit that says so.
+/// The array that marks cells of other pieces, and the bit of its values that does so.
 constexpr std::string_view ghost_array = "vtkGhostType";
 constexpr unsigned duplicate_cell = 1;
 
@@ -84,7 +84,7 @@ private:
             soup().points.push_back(point);
         }
     }
-    /// Returns the values of an array of the cells in a section. Errors: file_error when there is none.
+    /// Returns the values of an array of the cells in a section. Errors: file_error if there is none.
     std::vector<double> of_cells(const std::string& section, const std::string& name, std::size_t count)
     {
         for (const xml_tag& tag : arrays_in(section))
@@ -132,7 +132,8 @@ private:
                 add_face(cell, types[cell], corners);
         });
     }
-    /// Cell data of PolyData have the order of the cells in VTK's memory: points, lines, polygons, strips.
+    /// Reads the faces of PolyData. Cell data have the order of the cells in VTK's memory: points, lines, polygons,
+    /// strips.
     void read_poly_data()
     {
         others_ = count_of("NumberOfVerts") + count_of("NumberOfLines");
@@ -168,14 +169,14 @@ private:
         list.push_back(corners);
     }
 
-    /// Whether a section says that one of its arrays has a role, such as Normals.
+    /// Returns true if a section gives the array a role, such as Normals.
     [[nodiscard]] bool is_named(const vtu_array& array, const std::string& section, std::string_view role) const
     {
         const auto found = declared_.sections.find(section);
         return not array.name.empty() and found != declared_.sections.end() and
                found->second.attribute(role) == array.name;
     }
-    /// The names that the components of an array have as attributes.
+    /// Returns the names of the attributes that the components of an array become.
     std::vector<std::string> names_of(const vtu_array& array, const std::string& section)
     {
         std::vector<std::string> result;
@@ -194,8 +195,8 @@ private:
             result.push_back(array.name + (array.components == 1 ? "" : "_" + std::to_string(i)));
         return result;
     }
-    /// Returns a name that no attribute before has, and that is one word. Some names say in PLY where vertices are and
-    /// which ones a face has. Cost: O(1) on average.
+    /// Returns a name that no earlier attribute has, and that is one word. Names by which PLY knows coordinates and the
+    /// vertices of faces are not used. Cost: O(1) on average.
     std::string free_name(std::string name)
     {
         constexpr std::array<std::string_view, 5> taken{"x", "y", "z", "vertex_indices", "vertex_index"};
@@ -209,7 +210,8 @@ private:
             result = name + "_" + (++times == 1 ? "" : std::to_string(times));
         return result;
     }
-    /// Whether an array says how pieces are joined, and is no attribute then.
+    /// Reads an array that says how pieces are joined: ids or ghosts. Returns false for any other array, which is an
+    /// attribute.
     bool take_joint(const vtu_array& array, const std::string& section, const std::vector<std::size_t>& elements)
     {
         const bool of_points = section == "PointData";
@@ -263,7 +265,7 @@ private:
             }
         }
     }
-    /// Takes the words of an attribute, where each value is the number of one and the first says none.
+    /// Takes the words of an attribute if each value is the number of a word, and the first word says "none".
     void take_labels(attribute& a)
     {
         const auto found = words_.by_name.find(a.name);

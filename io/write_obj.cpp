@@ -23,8 +23,8 @@ namespace kith::io {
 
 namespace {
 
-/// Lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line, so that programs
-/// which go by the numbers of lines find the seams where values differ, and nowhere else.
+/// The lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line. Programs that
+/// go by the numbers of lines then find the seams where values differ, and no others.
 class shared_lines {
 public:
     shared_lines(const basic_mesh<>& mesh, const attribute_list& of_corners, const attribute_list& of_vertices)
@@ -33,11 +33,11 @@ public:
         if (list_.empty())
             return;
         const auto& vertex_of = mesh.topology().corner_vertex;
-        std::vector<std::uint32_t> last_of(mesh.vertex_count(), none), before; // the lines of each vertex
-        std::vector<std::uint32_t> lines(mesh.vertex_count(), 0);              // how many there are
+        std::vector<std::uint32_t> last_of(mesh.vertex_count(), none), before; // by vertex, a linked list of its lines
+        std::vector<std::uint32_t> lines(mesh.vertex_count(), 0);              // by vertex, the number of its lines
         const auto is_less = [&](std::size_t a, std::size_t b) { return has_less(a, b); };
         using sorted_lines = std::map<std::size_t, std::uint32_t, decltype(is_less)>;
-        std::map<std::size_t, sorted_lines> sorted; // those of vertices that have too many to walk along
+        std::map<std::size_t, sorted_lines> sorted; // the lines of vertices with too long lists
         line_of_.assign(mesh.corner_count(), none);
         for (std::size_t c = 0; c < line_of_.size(); ++c) {
             const std::size_t element = is_of_corners_ ? c : vertex_of[c];
@@ -70,7 +70,7 @@ public:
     }
 
     [[nodiscard]] bool has(std::size_t corner) const { return not line_of_.empty() and line_of_[corner] != none; }
-    /// As files count, from 1. Precondition: has(corner).
+    /// Returns the line of a corner, counted from 1 as in files. Precondition: has(corner).
     [[nodiscard]] std::size_t number(std::size_t corner) const { return std::size_t(line_of_[corner]) + 1; }
     void write(std::ostream& out, std::string_view statement) const
     {
@@ -100,12 +100,12 @@ private:
 
     attribute_list list_;
     bool is_of_corners_;
-    std::vector<std::size_t> elements_;  ///< the first that has each line
+    std::vector<std::size_t> elements_;  ///< by line, the first element that has it
     std::vector<std::uint32_t> line_of_; ///< by corner
 };
 
-/// A line that goes on with nothing: a backslash at its end would have the next one go on, and a number sign where a
-/// word begins makes a comment of the rest.
+/// Returns the text as one line that is neither joined to the next line nor cut. A backslash at the end would join the
+/// lines; a number sign at the beginning of a word would begin a comment.
 std::string as_line(const std::string& text)
 {
     std::string line = one_line(text);
@@ -117,7 +117,7 @@ std::string as_line(const std::string& text)
     return line;
 }
 
-/// Normals as attributes, one per axis; none if there are no normals.
+/// Returns normals as attributes, one per axis, or none if there are no normals.
 std::vector<attribute> axes_of(std::span<const std::array<double, 3>> normals)
 {
     std::vector<attribute> result;
@@ -136,7 +136,7 @@ attribute_list all_of(const std::vector<attribute>& attributes)
     return result;
 }
 
-/// What is said before a face that has other words than the face before it.
+/// Writes the statements before a face that has other words than the previous face.
 void write_labels(text_block& text, const attribute_list& labels, std::size_t face)
 {
     for (const auto& [statement, name] : label_statements)

@@ -13,8 +13,8 @@ namespace kith::io {
 
 namespace {
 
-/// Red, green, blue and what is opaque: as bytes where they were bytes, else from 0 to 1, with a point that tells them
-/// from bytes. Nothing for an element without a color.
+/// Writes red, green, blue and opacity. They are bytes if they were bytes, else numbers from 0 to 1, with a point that
+/// distinguishes them from bytes. Writes nothing for an element without a color.
 void write_color(text_block& text, const attribute_list& color, std::size_t element)
 {
     if (not has_all(color, element))

@@ -49,7 +49,7 @@ void write_number(text_block& text, bool binary, const ply_number& type, double 
             text << ' ' << number;
     });
 }
-/// Attributes under their names, and which of them have 0 where an element lacks them.
+/// The attributes under their names, and which of them are 0 where an element lacks them.
 struct ply_columns {
     explicit ply_columns(const attribute_list& held) : attributes(held)
     {
@@ -68,7 +68,7 @@ struct ply_columns {
     std::vector<bool> is_zero_without_value;
 };
 
-/// A list has one type: that of its numbers, or double where they have several.
+/// Returns the type of a list: the type of its numbers, or double if they have several types.
 ply_number type_of_list(const attribute_list& list)
 {
     const bool are_of_one = std::ranges::all_of(

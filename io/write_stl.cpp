@@ -24,13 +24,13 @@ namespace {
 
 using float_point = std::array<float, 3>;
 
-/// Rounds a place as binary STL has it; 0 has one sign, as equal points have equal bits.
+/// Rounds a place to floats, as binary STL has them. Turns -0 into 0, so that equal points have equal bits.
 float_point rounded(const std::array<double, 3>& p)
 {
     return {float(p[0]) + 0, float(p[1]) + 0, float(p[2]) + 0};
 }
 
-/// Tests whether corners of a triangle are equal once they are rounded.
+/// Returns true if two corners of a triangle are equal once they are rounded.
 bool is_fallen(const basic_mesh<>& mesh, std::size_t face)
 {
     const auto corners = mesh.face(face);
@@ -39,7 +39,7 @@ bool is_fallen(const basic_mesh<>& mesh, std::size_t face)
     return p == q or q == r or r == p;
 }
 
-/// Tests whether some vertices are equal once they are rounded. Cost: O(V log V), 8 bytes per vertex.
+/// Returns true if some vertices are equal once they are rounded. Cost: O(V log V), 8 bytes per vertex.
 bool some_vertices_fall_together(const basic_mesh<>& mesh)
 {
     std::vector<std::uint64_t> hashes(mesh.vertex_count());
@@ -71,13 +71,13 @@ std::uint16_t color_bits(const attribute_list& color, std::size_t face)
     return result;
 }
 
-/// Tests whether a face is not opaque.
+/// Returns true if some face is not opaque.
 bool has_transparency(const attribute& alpha)
 {
     const double opaque = color_unit(alpha.type);
     return std::ranges::any_of(alpha.values, [&](double x) { return not std::isnan(x) and x != opaque; });
 }
-/// Tests whether a value is none of the 32 shades of binary STL.
+/// Returns true if some value is none of the 32 shades of binary STL.
 bool has_more_shades(const attribute* channel)
 {
     constexpr double rounding = 1e-9;
@@ -99,8 +99,8 @@ std::size_t fallen_faces(const written_mesh& what)
 
 namespace {
 
-/// Refuses a mesh for binary STL if vertices are equal as floats and what is left of it is no surface. Errors:
-/// file_error. Cost: O(V log V), else that of reading the file.
+/// Throws file_error, for binary STL, if vertices are equal as floats and the remaining triangles are not a surface.
+/// Cost: O(V log V); if vertices are equal, that of reading the file.
 void require_readable_floats(const written_mesh& what)
 {
     const basic_mesh<>& mesh = what.mesh;
@@ -114,7 +114,7 @@ void require_readable_floats(const written_mesh& what)
     const polygon_soup soup = points.triangles();
     const std::size_t fallen = mesh.face_count() - soup.faces.size();
     if (fallen == 0 and soup.points.size() == different_points(mesh))
-        return; // what is equal is so in doubles, too
+        return; // points that are equal as floats are equal as doubles, too
     if (const mesh_report report = validate(soup.points, soup.faces); not report.ok())
         throw file_error(std::to_string(fallen) + " of " + std::to_string(mesh.face_count()) +
                          " triangles collapse in the floats of binary STL, and the others form no surface that "

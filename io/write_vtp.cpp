@@ -73,7 +73,7 @@ private:
     }
 };
 
-/// Writes VTK's PolyData: the head says where each array begins, then they follow as they lie in memory.
+/// A writer of VTK's PolyData: the head says where each array begins, then the arrays follow as they lie in memory.
 class vtp_writer {
 public:
     vtp_writer(std::ostream& out, const written_mesh& what) : out_(out), what_(what) {}
@@ -114,7 +114,7 @@ public:
     }
 
 private:
-    /// Declares an array of so many entries of so many bytes, each of which write(bytes, entry) makes.
+    /// Declares an array of `entries` entries of `bytes_of_entry` bytes. write(bytes, entry) writes each of them.
     template <class Write>
     void add(const std::string& attributes, std::size_t entries, std::size_t bytes_of_entry, const Write& write)
     {

@@ -15,19 +15,19 @@
 #include <string_view>
 #include <vector>
 
-/// What the writers of the formats have in common.
+/// Functions that the writers of several formats share.
 namespace kith::io {
 
-/// Refuse normals, and values of attributes that a format writes as text, that are not finite. Errors: file_error.
+/// Throws file_error for normals, or for values of attributes that a format writes as text, that are not finite.
 void require_finite_normals(const written_mesh& what);
 void require_finite_corner_normals(const written_mesh& what);
 void require_finite_values(mesh_format format, const written_mesh& what);
 
-/// The attributes of these names, where there are `least` of them, and `most` at most; else none.
+/// Returns the attributes of these names, at most `most` of them. Returns none if there are fewer than `least`.
 attribute_list held_list(const std::vector<attribute>& from, std::span<const std::string_view> names, std::size_t least,
                          std::size_t most);
 
-/// The attributes for which `which` holds.
+/// Returns the attributes for which `which` returns true.
 template <class Which>
 attribute_list held_if(const std::vector<attribute>& from, const Which& which)
 {
@@ -38,7 +38,7 @@ attribute_list held_if(const std::vector<attribute>& from, const Which& which)
     return result;
 }
 
-/// The attributes of whole numbers, which have no word for "none".
+/// Returns the attributes of whole numbers, which have no word for "none".
 inline element_attributes whole_numbers(const mesh_attributes& all, const held_attributes&)
 {
     const auto is_whole = [](const attribute& a) { return not a.type.floating; };
@@ -56,13 +56,14 @@ inline const std::array<double, 3>& point_of(const written_mesh& what, std::size
     return vertex < vertices ? what.mesh.point(vertex) : what.isolated[vertex - vertices];
 }
 
-/// What has no face has no normal.
+/// Returns the normal of a vertex, or zero for an isolated point, which has none.
 inline std::array<double, 3> normal_of(const written_mesh& what, std::size_t vertex)
 {
     return vertex < what.normals.size() ? what.normals[vertex] : std::array<double, 3>{};
 }
 
-/// The attributes for which the format has room; normals that are given come in the place of those among them.
+/// Returns the attributes for which the format has room. Normals that are passed separately replace the normals among
+/// the attributes.
 inline held_attributes held_by(mesh_format format, const written_mesh& what)
 {
     held_attributes result = what.attributes == nullptr ? held_attributes()
@@ -75,14 +76,14 @@ inline held_attributes held_by(mesh_format format, const written_mesh& what)
     return result;
 }
 
-/// Whether an element has all the numbers of a list; of an empty one it has none.
+/// Returns true if an element has all the numbers of a list. Of an empty list no element has them.
 inline bool has_all(const attribute_list& list, std::size_t element)
 {
     return not list.empty() and
            std::ranges::none_of(list, [&](const auto* a) { return std::isnan(a->values[element]); });
 }
 
-/// Returns a channel of a colour as a number from 0 to 1, where it is not of floating type.
+/// Returns a channel of a colour as a number from 0 to 1 if its type is not floating; else its value.
 inline double unit_color(const attribute& a, std::size_t element)
 {
     return a.values[element] / color_unit(a.type);

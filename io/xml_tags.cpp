@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// Without the five escapes of XML.
+/// Returns a text with the five escapes of XML replaced by their characters.
 std::string plain_text(std::string_view text)
 {
     constexpr std::array<std::pair<std::string_view, char>, 5> escapes{
@@ -27,7 +27,8 @@ std::string plain_text(std::string_view text)
     return result;
 }
 
-/// Where a tag ends, outside of quotation marks. No quoted text has a <; one that seems to lacks its closing mark.
+/// Returns the place where a tag ends, outside of quotation marks. A quoted text has no '<'; if it seems to have one,
+/// its closing mark is missing.
 std::size_t end_of_tag(std::string_view text, std::size_t begin)
 {
     constexpr std::string_view ends = ">\"'";

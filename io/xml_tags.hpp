@@ -7,24 +7,25 @@
 
 namespace kith::io {
 
-/// A start or an end of an element, and the text behind it.
+/// The start or the end tag of an element, and the text behind it.
 struct xml_tag {
-    std::string_view name; ///< "/Points" at its end
+    std::string_view name; ///< "/Points" in an end tag
     std::string_view attributes;
     std::string_view text; ///< to the next tag
 
-    /// Errors: file_error for one without its second quote.
+    /// Returns the value of an attribute, or an empty text if the tag lacks it. Errors: file_error for a value without
+    /// its second quote.
     [[nodiscard]] std::string attribute(std::string_view wanted) const;
 };
 
-/// Goes from tag to tag, without looking at how they lie in one another; comments are left out.
+/// A cursor that goes from tag to tag, without regard to nesting. It skips comments.
 class xml_tags {
 public:
     explicit xml_tags(std::string_view text) : text_(text) {}
 
-    /// False at the end. Errors: file_error for a tag without its end.
+    /// Moves to the next tag. Returns false at the end. Errors: file_error for a tag without its end.
     bool next(xml_tag& tag);
-    /// All that is behind the last tag.
+    /// Returns everything behind the last tag.
     [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
 
 private:

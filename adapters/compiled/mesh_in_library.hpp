@@ -30,8 +30,8 @@ M make_in_library(const M& source, const level_source<Point>& write)
 
 } // namespace kith::detail
 
-/// KITH_READ_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type are read.
-/// KITH_MESH_IN_LIBRARY(mesh): also how such meshes are made.
+/// Instantiates, in namespace kith, the functions that read meshes of a type (KITH_READ_MESH_IN_LIBRARY), or the
+/// functions that read and make such meshes (KITH_MESH_IN_LIBRARY).
 #define KITH_READ_MESH_IN_LIBRARY(...)                                                                                 \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::to_native_in_library(const __VA_ARGS__&);             \
     template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);

@@ -20,8 +20,8 @@ std::size_t read_in_library(typed_properties<Handle, Base>& properties_read, con
 
 } // namespace kith::detail
 
-/// KITH_PROPERTIES_IN_LIBRARY(mesh, base): in namespace kith, compiles how properties are read that such a base has on
-/// the elements of this mesh.
+/// Instantiates, in namespace kith, the functions that read properties which the class `base` holds on the elements of
+/// `mesh`: vertices, half-edges, edges and faces.
 #define KITH_PROPERTIES_IN_LIBRARY(mesh, base)                                                                         \
     KITH_PROPERTIES_ON(vertex, mesh, base)                                                                             \
     KITH_PROPERTIES_ON(halfedge, mesh, base)                                                                           \

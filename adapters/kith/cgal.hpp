@@ -14,9 +14,9 @@
 
 namespace kith {
 
-/// Keeps numbers of exact kernels lazy, as CGAL does, in the thread that made it and for as long as it lives. New
-/// points then cost no exact arithmetic until their exact values are asked for, but the expressions of all levels stay
-/// in memory. Values are equal either way; converted to doubles they may differ in the last digits.
+/// A guard that keeps the numbers of exact kernels lazy, as CGAL does, in the thread that makes it and for its
+/// lifetime. New points then cost no exact arithmetic until their exact values are requested, but the expressions of
+/// all levels stay in memory. Values are equal either way; converted to doubles they may differ in the last digits.
 class lazy_numbers {
 public:
     lazy_numbers() { ++count(); }
@@ -34,13 +34,13 @@ private:
     }
 };
 
-/// Points of every CGAL kernel. Over exact kernels each new point is evaluated at once, since a lazy expression tree
-/// grows with every level, unless `lazy_numbers` are kept.
+/// The arithmetic of the points of every CGAL kernel. Over exact kernels each new point is evaluated at once, unless
+/// `lazy_numbers` are kept, because a lazy expression tree grows with every level.
 template <class Kernel>
 struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3> {
     using point = CGAL::Point_3<Kernel>;
     using typename coordinates_affine<typename Kernel::FT, 3>::sum;
-    static constexpr bool is_array = std::floating_point<typename Kernel::FT>; // but for kernels of handles
+    static constexpr bool is_array = std::floating_point<typename Kernel::FT>; // except for kernels of handles
 
     static sum load(const point& p) { return {p.x(), p.y(), p.z()}; }
     static point store(const sum& total)
@@ -60,16 +60,16 @@ CGAL::Surface_mesh<Point> surface_mesh_below(const CGAL::Surface_mesh<Point>*);
 
 } // namespace detail
 
-/// A CGAL::Surface_mesh or a class derived from one.
+/// A CGAL::Surface_mesh, or a class derived from one.
 template <class M>
 concept surface_mesh_or_derived = requires(const M* mesh) { detail::surface_mesh_below(mesh); };
-/// The Surface_mesh that such a class is or has as its base.
+/// The Surface_mesh that M is or has as its base class.
 template <surface_mesh_or_derived M>
 using surface_mesh_of = decltype(detail::surface_mesh_below(std::declval<const M*>()));
 
-/// Traits of CGAL::Surface_mesh and of classes derived from it. A refined mesh of a derived class is one that its
-/// default constructor made. It has its points and no other property maps; cgal_properties.hpp carries those of the
-/// source.
+/// The mesh traits of CGAL::Surface_mesh and of classes derived from it. The default constructor makes a refined mesh
+/// of a derived class. A refined mesh has points and no other property maps; cgal_properties.hpp carries the property
+/// maps of the source.
 template <surface_mesh_or_derived M>
 struct mesh_traits<M> {
     using mesh_type = surface_mesh_of<M>;
@@ -97,7 +97,7 @@ struct mesh_traits<M> {
     static halfedge next(const mesh_type& m, halfedge h) { return m.next(h); }
     static halfedge prev(const mesh_type& m, halfedge h) { return m.prev(h); }
     static halfedge opposite(const mesh_type& m, halfedge h) { return m.opposite(h); }
-    /// Removing a face leaves its half-edges as they are.
+    /// Returns true if a half-edge has no face, or if its face was removed: CGAL then leaves the half-edge as it is.
     static bool is_boundary(const mesh_type& m, halfedge h)
     {
         return m.is_border(h) or (m.number_of_removed_faces() != 0 and std::size_t(m.face(h)) < m.num_faces() and
@@ -107,7 +107,7 @@ struct mesh_traits<M> {
     static edge edge_of(const mesh_type& m, halfedge h) { return m.edge(h); }
     static face face_of(const mesh_type& m, halfedge h) { return m.face(h); }
     static halfedge halfedge_of(const mesh_type& m, vertex v) { return m.opposite(m.halfedge(v)); } // CGAL's comes in
-    // An edge of CGAL remembers the half-edge it was asked by; every edge has to start with the same one here.
+    // An edge of CGAL remembers the half-edge by which it was requested; here every edge must begin with the same one.
     static halfedge halfedge_of(const mesh_type&, edge e) { return halfedge(2 * e.idx()); }
     static halfedge halfedge_of(const mesh_type& m, face f) { return m.halfedge(f); }
     static bool is_isolated(const mesh_type& m, vertex v) { return m.is_isolated(v); }
@@ -191,7 +191,7 @@ template <>
 inline constexpr bool is_compiled_mesh<CGAL::Surface_mesh<CGAL::Point_3<CGAL::Simple_cartesian<double>>>> = true;
 template <>
 inline constexpr bool is_compiled_mesh<CGAL::Surface_mesh<CGAL::Point_3<CGAL::Epick>>> = true;
-/// Classes derived from a Surface_mesh are read as this.
+/// The view of a class derived from a Surface_mesh: the Surface_mesh itself.
 template <surface_mesh_or_derived M>
     requires(not std::same_as<M, surface_mesh_of<M>>)
 struct compiled_view<M> {

@@ -16,7 +16,7 @@
 
 namespace kith::detail {
 
-/// A value type that stands for another one: a property array of it says that it holds `type`, and writes down the
+/// A value type that stands for another one. A property array of it claims to hold `type`, and stores in `*array` the
 /// array from which it is to be filled.
 struct sought_values {
     const std::type_info* type = &typeid(void);
@@ -27,8 +27,8 @@ struct sought_values {
 
 namespace CGAL::Properties {
 
-/// Holds nothing. CGAL hands it an array of the same name and type when meshes are joined, which is how values of types
-/// that are not named here are reached.
+/// A property array without values. When meshes are joined, CGAL passes it the array of the same name and type. In this
+/// way kith reaches values of types that are not named here.
 template <>
 class Property_array<kith::detail::sought_values> : public Base_property_array {
     using base = Base_property_array;
@@ -61,7 +61,7 @@ public:
     [[nodiscard]] base* empty_clone() const override { return clone(); }
     [[nodiscard]] const std::type_info& type() const override { return *sought_.type; }
 
-    // Virtual functions of the base class in later versions of CGAL, which these then override.
+    // These override virtual functions that the base class has in later versions of CGAL.
     virtual std::size_t grow_by(std::size_t) { return 0; }
     virtual void pop_back() {}
     [[nodiscard]] virtual std::size_t capacity() const { return 0; }
@@ -74,15 +74,15 @@ private:
 
 namespace kith::detail {
 
-/// The property maps on elements with such handles, of these names, but the known ones. Of several maps with one name
-/// only the first is found. Cost: O(1), or that of a copy of the elements where there are any.
+/// Returns the property maps of these names on elements with handles of this type, except the known ones. Of several
+/// maps with one name only the first is found. Cost: O(1), or that of copying the elements if there are other maps.
 template <class Handle, class Point>
 std::vector<any_property> other_arrays(CGAL::Surface_mesh<Point>& mesh, const std::vector<std::string>& names,
                                        const std::vector<known_property>& known)
 {
     using array = CGAL::Properties::Base_property_array;
     std::vector<any_property> result;
-    std::vector<array*> found(names.size(), nullptr); // does not grow
+    std::vector<array*> found(names.size(), nullptr); // does not grow, as pointers lead into it
     CGAL::Surface_mesh<Point> asks;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::type_info& type = mesh.template property_type<Handle>(names[i]);

@@ -26,7 +26,7 @@ struct property_access<M> {
     using mesh = surface_mesh_of<M>;
     using Point = typename mesh::Point; // NOLINT(readability-identifier-naming): as CGAL calls it
     using kernel = typename CGAL::Kernel_traits<Point>::Kernel;
-    /// Exact numbers stay exact, floats are averaged as doubles.
+    /// The numbers in which values are averaged: doubles for floats and doubles, exact numbers for exact kernels.
     using number = std::conditional_t<std::floating_point<typename kernel::FT>, double, typename kernel::FT>;
     using value_types = std::tuple<
         bool, char, signed char, unsigned char, short, unsigned short, int, unsigned, long, unsigned long, long long,
@@ -54,7 +54,7 @@ struct property_access<M> {
         return std::ranges::find(own, name) != own.end();
     }
     static bool is_unnamed(const std::string& name, std::type_index) { return name.starts_with("anonymous-property-"); }
-    /// There may be several properties with one name, each of another type.
+    /// True: several properties may have one name, each with another type.
     static constexpr bool types_share_names = true;
     static bool follows_from_points(const std::string&) { return false; }
     template <class Handle, class T>
@@ -64,7 +64,7 @@ struct property_access<M> {
         if constexpr (requires { found.has_value(); }) // from CGAL 6 on
             return found.value_or(typename mesh::template Property_map<Handle, T>());
         else
-            return found.first; // is false where nothing was found
+            return found.first; // false if nothing was found
     }
     template <class Handle, class T>
     static auto add(mesh& m, const std::string& name, const T& unset = detail::value_of_nothing<T>())
@@ -72,7 +72,8 @@ struct property_access<M> {
         return m.template add_property_map<Handle, T>(name, unset).first;
     }
 
-    /// A map knows what new elements have, and tells it by giving it to one.
+    /// Returns a copy of the mesh with one vertex, one edge and one face. Their values are those that the property maps
+    /// give to new elements.
     static M with_one_element(const M& m)
     {
         M result = m;
@@ -88,11 +89,11 @@ struct property_access<M> {
     {
         return detail::other_arrays<Handle>(m, names<Handle>(m), known);
     }
-    /// What T() leaves open is open in a map that was made without a value.
+    /// True if a map that was made without a value gives new elements one: T() leaves no part of it unset.
     template <class T>
     static constexpr bool starts_with_a_value = not detail::is_left_open<T>;
 
-    /// As CGAL's readers and writers call them.
+    /// Returns the name that CGAL's readers and writers use for a standard property.
     template <class Handle>
     static std::string standard_name(standard_property which)
     {

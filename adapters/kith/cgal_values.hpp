@@ -18,19 +18,20 @@
 #include <cstddef>
 #include <type_traits>
 
-/// Values of CGAL's types, which masks combine as they do points.
+/// Values of CGAL's types, which masks combine like points.
 namespace kith {
 
 namespace detail {
 
-/// Points and vectors of a kernel, in the plane or in space. Meshes have points in space.
+/// The points of meshes, which lie in space, and all points and vectors of a kernel, in the plane or in space.
 template <class T, class Kernel = typename CGAL::Kernel_traits<T>::Kernel>
 concept point_of_meshes = std::same_as<T, CGAL::Point_3<Kernel>>;
 template <class T, class Kernel = typename CGAL::Kernel_traits<T>::Kernel>
 concept point_or_vector = point_of_meshes<T> or std::same_as<T, CGAL::Point_2<Kernel>> or
                           std::same_as<T, CGAL::Vector_2<Kernel>> or std::same_as<T, CGAL::Vector_3<Kernel>>;
 
-/// They are combined as the points of a mesh are: exact values at once.
+/// The arithmetic of points and vectors, which are combined like the points of a mesh: exact values are evaluated at
+/// once, unless `lazy_numbers` are kept.
 template <class T, std::size_t N>
 struct affine_cartesian : coordinates_affine<typename CGAL::Kernel_traits<T>::Kernel::FT, N> {
     using typename coordinates_affine<typename CGAL::Kernel_traits<T>::Kernel::FT, N>::sum;
@@ -57,7 +58,7 @@ struct affine_cartesian : coordinates_affine<typename CGAL::Kernel_traits<T>::Ke
     }
 };
 
-/// The same as four numbers.
+/// The conversion of points and vectors to four numbers and back, by which they are averaged.
 template <class T, std::size_t N>
 struct averaged_cartesian {
     static T nothing() { return store(four_numbers<double>{}); }
@@ -82,7 +83,7 @@ struct averaged_cartesian {
     }
 };
 
-/// A class of numbers that can be divided, such as that of an exact kernel.
+/// A class of numbers that can be divided, such as the numbers of an exact kernel.
 template <class T>
 concept class_of_numbers =
     std::is_class_v<T> and
@@ -90,14 +91,14 @@ concept class_of_numbers =
 
 } // namespace detail
 
-/// Points of meshes have theirs beside the traits of meshes.
+/// The arithmetic of points and vectors, except points of meshes: cgal.hpp has that beside the traits of meshes.
 template <detail::point_or_vector T>
     requires(not detail::point_of_meshes<T>)
 struct affine<T> : detail::affine_cartesian<T, T::Ambient_dimension::value> {};
 template <detail::point_or_vector T>
 struct averaged_value<T> : detail::averaged_cartesian<T, T::Ambient_dimension::value> {};
 
-/// Numbers of CGAL, exact ones for example.
+/// The arithmetic of CGAL's number types, for example exact ones.
 template <detail::class_of_numbers Number>
 struct affine<Number> {
     using scalar = Number;

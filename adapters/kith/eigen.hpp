@@ -7,7 +7,7 @@
 
 namespace kith {
 
-/// A subdivision matrix as Eigen sees it: the same arrays, not a copy. The matrix must outlive the view. Cost: O(1).
+/// Returns a view of a subdivision matrix for Eigen, on the same arrays. The matrix must outlive the view. Cost: O(1).
 inline Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor, subdivision_matrix::index_type>>
 as_eigen(const subdivision_matrix& matrix)
 {

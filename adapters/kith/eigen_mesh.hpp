@@ -17,9 +17,9 @@
 
 namespace kith {
 
-/// A mesh from matrices as libigl has them: a row per point, with three coordinates, and a row per face, with its
-/// vertices. Rows that end in negative numbers are faces with fewer corners. Errors: mesh_error for points of other
-/// dimensions, and as make_mesh. Cost: as make_mesh.
+/// Makes a mesh of matrices in the form of libigl: a row with three coordinates per point, and a row with its vertices
+/// per face. The rows of faces with fewer corners end in negative numbers. Errors: mesh_error for points of other
+/// dimensions, and those of make_mesh. Cost: as make_mesh.
 template <class V, class F>
 basic_mesh<std::array<typename V::Scalar, 3>> mesh_of_matrices(const Eigen::MatrixBase<V>& points,
                                                                const Eigen::MatrixBase<F>& faces)
@@ -44,7 +44,7 @@ basic_mesh<std::array<typename V::Scalar, 3>> mesh_of_matrices(const Eigen::Matr
     return make_mesh(list, corners);
 }
 
-/// The points of a mesh, a row each. Cost: O(vertices).
+/// Returns the points of a mesh, one per row. Cost: O(vertices).
 template <class Scalar, std::unsigned_integral Index>
 Eigen::Matrix<Scalar, Eigen::Dynamic, 3> points_as_matrix(const basic_mesh<std::array<Scalar, 3>, Index>& mesh)
 {
@@ -52,8 +52,8 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 3> points_as_matrix(const basic_mesh<std::
     return Eigen::Map<const rows>(mesh.points().data()->data(), Eigen::Index(mesh.vertex_count()), 3);
 }
 
-/// The faces of a mesh, a row each; rows of faces with fewer corners than others end in -1. Errors: mesh_error for more
-/// vertices than an int can number. Cost: O(corners).
+/// Returns the vertices of each face of a mesh, one face per row. The rows of faces with fewer corners than others end
+/// in -1. Errors: mesh_error for more vertices than an int can number. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 Eigen::MatrixXi faces_as_matrix(const basic_mesh<Point, Index>& mesh)
 {

@@ -11,8 +11,8 @@
 /// Subdivision of matrices of points and faces, in the shape of libigl's functions of these names.
 namespace kith::igl {
 
-/// By any scheme; the result may be the matrices that were given. Errors: as `refine`. Cost: as `refine`, and two
-/// copies.
+/// Refines by any scheme. The results may be the same matrices as the arguments. Errors: as `refine`. Cost: as
+/// `refine`, and two copies.
 template <scheme Scheme, class V, class F, class NewV, class NewF>
 void refine(const Scheme& scheme, const Eigen::MatrixBase<V>& points, const Eigen::MatrixBase<F>& faces,
             Eigen::PlainObjectBase<NewV>& new_points, Eigen::PlainObjectBase<NewF>& new_faces, int steps = 1)
@@ -22,8 +22,8 @@ void refine(const Scheme& scheme, const Eigen::MatrixBase<V>& points, const Eige
     new_faces = faces_as_matrix(fine).template cast<typename NewF::Scalar>();
 }
 
-/// Loop 1987 with the weights and boundaries of libigl's loop. New vertices follow the old ones in the order of kith's
-/// edges, which is not libigl's.
+/// Refines by Loop 1987 with the weights and boundaries of libigl's loop. New vertices follow the old ones in the order
+/// of kith's edges, which is not the order of libigl.
 template <class V, class F, class NewV, class NewF>
 void loop(const Eigen::MatrixBase<V>& points, const Eigen::MatrixBase<F>& faces,
           Eigen::PlainObjectBase<NewV>& new_points, Eigen::PlainObjectBase<NewF>& new_faces, int steps = 1)
@@ -31,7 +31,7 @@ void loop(const Eigen::MatrixBase<V>& points, const Eigen::MatrixBase<F>& faces,
     refine(like<kith::loop>(library::libigl), points, faces, new_points, new_faces, steps);
 }
 
-/// Each triangle is cut into four where it lies.
+/// Splits each triangle into four in its plane; no vertex moves.
 template <class V, class F, class NewV, class NewF>
 void upsample(const Eigen::MatrixBase<V>& points, const Eigen::MatrixBase<F>& faces,
               Eigen::PlainObjectBase<NewV>& new_points, Eigen::PlainObjectBase<NewF>& new_faces, int steps = 1)

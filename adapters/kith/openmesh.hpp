@@ -13,9 +13,9 @@
 
 namespace kith {
 
-/// Meshes of OpenMesh's array kernel, polygons or triangles, any traits, classes derived from them included.
-/// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture
-/// coordinates and the texture index. Their values are zero and properties of the user's own are left out;
+/// The mesh traits of OpenMesh's array kernel, of polygons or triangles, with any traits, and of classes derived from
+/// these meshes. A refined mesh has the attributes of its source, in traits or by request: status, normals, colors,
+/// texture coordinates and the texture index. Their values are zero and properties of the user's own are left out;
 /// openmesh_properties.hpp carries them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct mesh_traits<M> : detail::openmesh_connectivity {
@@ -38,7 +38,7 @@ struct mesh_traits<M> : detail::openmesh_connectivity {
         detail::openmesh_connectivity::make_room(m, vertices, edges, faces);
         clear_attributes(m);
     }
-    /// Makes the attributes of all elements zero.
+    /// Sets the attributes of all elements to zero.
     static void clear_attributes(M& m)
     {
         for_each_attribute([&](auto has, auto, auto property) {
@@ -56,7 +56,8 @@ struct mesh_traits<M> : detail::openmesh_connectivity {
         m.set_halfedge_handle(f, h);
     }
 
-    /// What elements may have beside points: how to ask whether they do, to ask for it, and where it is.
+    /// Calls f(has, request, property) for each attribute that elements may have beside points. These member functions
+    /// of M test for the attribute, request it, and return its property handle.
     template <class F>
     static void for_each_attribute(const F& f)
     {
@@ -81,7 +82,7 @@ struct mesh_traits<M> : detail::openmesh_connectivity {
     }
 
 private:
-    /// A vector of OpenMesh is made without values.
+    /// Sets a value to zero; a new vector of OpenMesh has no value.
     template <class Scalar, int N>
     static void set_zero(OpenMesh::VectorT<Scalar, N>& value)
     {
@@ -95,7 +96,7 @@ private:
 };
 
 #ifdef KITH_COMPILED_OPENMESH_MESHES // where kith::compiled_openmesh is linked
-/// Meshes of any traits with points of three floats or doubles.
+/// The view through which meshes of any traits are read, if their points are three floats or doubles.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
     requires(std::same_as<typename native_point<typename M::Point>::type, std::array<float, 3>> or
              std::same_as<typename native_point<typename M::Point>::type, std::array<double, 3>>)

@@ -2,7 +2,7 @@
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__)
-// Vectors of OpenMesh have no values at first, of which g++ warns where properties of colors grow by one.
+// New vectors of OpenMesh have no values; g++ warns of this where properties of colors grow by one.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -51,13 +51,13 @@ struct affine<OpenMesh::VectorT<Scalar, N>> : coordinates_affine<Scalar, std::si
     }
 };
 
-/// Colours, and other vectors of integers.
+/// The arithmetic of colours and of other vectors of integers.
 template <std::integral Scalar, int N>
 struct affine<OpenMesh::VectorT<Scalar, N>> : rounded_affine<OpenMesh::VectorT<Scalar, N>, Scalar, std::size_t(N)> {};
 
 namespace detail {
 
-/// The elements of OpenMesh's meshes, through the part of these that their traits say nothing of.
+/// The elements of OpenMesh's meshes, through their base class that does not depend on traits.
 struct openmesh_connectivity {
     using kernel = OpenMesh::PolyConnectivity;
 
@@ -102,14 +102,14 @@ public:
     static bool is_isolated(const kernel& m, vertex v) { return m.is_isolated(v); }
     static vertex target(const kernel& m, halfedge h) { return m.to_vertex_handle(h); }
 
-    /// Errors: mesh_error for more edges than OpenMesh can number.
+    /// Throws mesh_error for more edges than OpenMesh can number.
     static void require_room(std::size_t edges)
     {
         if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
             throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
                              " edges; refine fewer times");
     }
-    /// Makes so many elements, without attributes. Errors: as require_room, and std::bad_alloc.
+    /// Makes these numbers of elements, without attributes. Errors: as require_room, and std::bad_alloc.
     static void make_room(kernel& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
         require_room(edges);
@@ -133,7 +133,8 @@ public:
         m.set_vertex_handle(h, target);
         m.set_next_halfedge_handle(h, next);
     }
-    /// A boundary vertex must name the half-edge without face that leaves it.
+    /// Sets a half-edge without face, and makes it the half-edge of its source vertex, as OpenMesh requires at the
+    /// boundary.
     static void set_boundary_side(kernel& m, halfedge h, vertex target, halfedge next)
     {
         m.set_boundary(h);
@@ -162,21 +163,21 @@ public:
 
 namespace openmesh {
 
-/// A mesh of OpenMesh of any traits: its elements, its properties and its points as arrays. It is a view, so that
-/// reading a mesh is compiled once for floats and once for doubles.
+/// A view of a mesh of OpenMesh with any traits: its elements, its properties, and its points as arrays. Thanks to the
+/// view, reading a mesh is compiled once for floats and once for doubles.
 template <std::floating_point Scalar>
 class kernel_view {
 public:
     using point = std::array<Scalar, 3>;
 
-    /// For who overwrites the mesh: isolated vertices are left out, as deleted ones. The mesh and the points must
-    /// outlive the view; `hidden` are properties without values.
+    /// Makes a view for callers that overwrite the mesh: isolated vertices are left out, like deleted ones. The mesh
+    /// and the points must outlive the view; `hidden` are properties without values.
     kernel_view(OpenMesh::PolyConnectivity& mesh, const point* points,
                 std::vector<const OpenMesh::BaseProperty*> hidden)
         : mesh_(&mesh), points_(points), hidden_(std::move(hidden)), leaves_out_isolated_(true)
     {
     }
-    /// For who reads the elements only.
+    /// Makes a view for callers that only read the elements.
     kernel_view(const OpenMesh::PolyConnectivity& mesh, const point* points)
         : mesh_(const_cast<OpenMesh::PolyConnectivity*>(&mesh)), points_(points), leaves_out_isolated_(false)
     {

@@ -28,7 +28,7 @@ struct averaged_value<OpenMesh::VectorT<Scalar, N>>
 
 namespace detail {
 
-/// The handle of a property on elements with such handles.
+/// OpenMesh's type of handle for a property on elements with handles of this type.
 template <class Handle, class T>
 using openmesh_property_handle =
     std::conditional_t<std::same_as<Handle, OpenMesh::VertexHandle>, OpenMesh::VPropHandleT<T>,
@@ -46,7 +46,7 @@ struct openmesh_property {
     [[nodiscard]] const void* array() const { return static_cast<const OpenMesh::BaseProperty*>(values); }
 };
 
-/// Calls f(property) for each property on elements with such handles.
+/// Calls f(property) for each property on elements with handles of this type.
 template <class Handle, class Kernel, class F>
 void for_each_property(Kernel& m, const F& f)
 {
@@ -67,7 +67,8 @@ void for_each_property(Kernel& m, const F& f)
 
 } // namespace detail
 
-/// The properties of any mesh of OpenMesh, by the base class that has them, so that types of values are compiled once.
+/// The properties of any mesh of OpenMesh, through the base class that has them. In this way types of values are
+/// compiled once.
 template <>
 struct property_access<OpenMesh::BaseKernel> {
     using mesh = OpenMesh::BaseKernel;
@@ -113,14 +114,14 @@ template <>
 inline constexpr bool has_compiled_properties<OpenMesh::BaseKernel> = true;
 #endif
 
-/// The part of a mesh's properties that its traits say nothing of.
+/// The part of the access to a mesh's properties that does not depend on its traits.
 struct openmesh_properties {
     using base = OpenMesh::BaseKernel;
     using number = property_access<base>::number;
     using value_types = property_access<base>::value_types;
 
     static bool is_reserved(const std::string& name) { return name == "v:points"; }
-    /// There may be several properties with one name, each of another type.
+    /// True: several properties may have one name, each with another type.
     static constexpr bool types_share_names = true;
     static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
     template <class Handle, class T>
@@ -132,8 +133,8 @@ struct openmesh_properties {
 
 } // namespace detail
 
-/// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors
-/// and texture coordinates are carried, normals are not; update_normals() makes them.
+/// The named properties of a mesh of OpenMesh, and its attributes in traits or by request. Status, colors and texture
+/// coordinates are carried. Normals are not carried; update_normals() computes them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct property_access<M> : detail::openmesh_properties {
     static OpenMesh::BaseKernel& base_of(M& m) { return m; }
@@ -143,7 +144,7 @@ struct property_access<M> : detail::openmesh_properties {
     {
         std::vector<std::string> result;
         const auto add_all = [&]<class Data>(std::type_identity<Data>) {
-            // Every mesh has what its traits say of elements, which mostly is nothing.
+            // Every mesh has a property for the element data of its traits, which mostly are an empty class.
             detail::for_each_property<Handle>(m, [&](const OpenMesh::BaseProperty* p) {
                 const bool is_nothing = std::is_empty_v<Data> and
                                         dynamic_cast<const OpenMesh::PropertyT<Data>*>(p) != nullptr;
@@ -161,7 +162,8 @@ struct property_access<M> : detail::openmesh_properties {
             add_all(std::type_identity<typename M::FaceData>());
         return result;
     }
-    /// What the traits of the mesh say of elements has no name either, but is the same in each such mesh.
+    /// Returns true if a property has no name of its own. The element data of the mesh's traits have none either, but
+    /// count as named, because each mesh with these traits has them.
     static bool is_unnamed(const std::string& name, std::type_index type)
     {
         if (type == typeid(typename M::VertexData) or type == typeid(typename M::HalfedgeData) or
@@ -201,8 +203,8 @@ struct property_access<M> : detail::openmesh_properties {
                 result.push_back((*p)->name());
         return result;
     }
-    /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices lead; returns the
-    /// names of those of other types, or without one of their own.
+    /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices refer, and adds
+    /// their names to `copied`. Returns the names of properties of other types or without a name of their own.
     static std::vector<std::string> copy_of_whole(const M& from, M& to, std::vector<std::string>& copied)
     {
         std::vector<std::string> others;
@@ -219,7 +221,7 @@ struct property_access<M> : detail::openmesh_properties {
         return others;
     }
 
-    /// As OpenMesh calls its attributes.
+    /// Returns the name that OpenMesh gives to a standard attribute.
     template <class Handle>
     static std::string standard_name(standard_property which)
     {
@@ -235,7 +237,8 @@ struct property_access<M> : detail::openmesh_properties {
         std::conditional_t<Which == standard_property::normal, typename M::Normal, typename M::TexCoord2D>>;
 
 private:
-    /// Our own, which says what step made a mesh; another mesh was made by another one.
+    /// Returns true for kith's own property, which records the step that made a mesh. It is not copied, because another
+    /// step made the other mesh.
     static bool is_mark(const std::string& name) { return name.starts_with("kith:"); }
 
     using pictures = std::map<int, std::string>; // as OpenMesh's readers have them

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// What OpenMesh's Subdivider::Uniform has, under the same names in namespace kith::openmesh; and all schemes of kith
-/// in that shape. docs/start/openmesh.md.
+/// The classes of OpenMesh's Subdivider::Uniform, under the same names in namespace kith::openmesh. All other schemes
+/// of kith have classes of the same form. See docs/start/openmesh.md.
 #include <kith/openmesh/longest_edge.hpp>
 #include <kith/openmesh/subdividers.hpp>

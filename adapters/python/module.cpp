@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Python module kith._kith: meshes and levels as NumPy arrays. What Python users see is in kith/__init__.py.
+// The Python module kith._kith: meshes and levels as NumPy arrays. The interface for Python users is in
+// kith/__init__.py.
 
 #include <kith/compiled_schemes.hpp>
 #include <kith/hierarchy.hpp>
@@ -32,7 +33,7 @@ using mesh = kith::basic_mesh<>;
 using numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// An array of Python's that owns what the vector had.
+/// Returns a NumPy array that owns the memory of the vector.
 template <class T>
 py::array_t<T> given_away(std::vector<T> values, std::vector<py::ssize_t> shape = {})
 {
@@ -61,7 +62,8 @@ py::array_t<double> array_of(const Points& points)
     return result;
 }
 
-/// Faces of a kind in an array of shape (m, k), mixed ones as a list of sequences.
+/// Returns the faces of a Python object: an array of shape (m, k) for faces of one degree, or a list of sequences for
+/// mixed faces.
 kith::face_list faces_of(const py::object& faces)
 {
     kith::face_list result;
@@ -79,7 +81,7 @@ kith::face_list faces_of(const py::object& faces)
     return result;
 }
 
-/// What may be said of a scheme beside its name.
+/// The options of a scheme, which may be given beside its name.
 struct scheme_options {
     std::optional<std::string> like;
     std::optional<int> degree;
@@ -180,7 +182,7 @@ public:
     virtual void move_points(int level, const numbers& points) = 0;
 
     [[nodiscard]] py::array_t<double> points(int level) const { return array_of(at(level).points()); }
-    /// Faces of one degree as an array, mixed ones as (corners, where each face begins).
+    /// Returns the faces of a level: an array if they have one degree, else (corners, first corner of each face).
     [[nodiscard]] py::object faces(int level) const
     {
         const mesh& m = at(level);
@@ -257,7 +259,7 @@ public:
             for (std::size_t i = 0; i < carried.size(); ++i)
                 result[i * width + k] = carried[i];
         }
-        if (width == 0) // as many rows all the same
+        if (width == 0) // the number of rows changes all the same
             shape[0] = py::ssize_t(levels_.carry(from, to, std::span<const double>(column)).size());
         else if (not shape.empty())
             shape[0] = py::ssize_t(result.size() / width);
@@ -273,7 +275,7 @@ private:
         else
             return control;
     }
-    /// Per element the kind of its ancestor, 0 for vertices, 1 for edges, 2 for faces, and its number.
+    /// Returns the ancestor of each element: its kind (0 vertex, 1 edge, 2 face), and its number.
     template <class Elements>
     [[nodiscard]] py::tuple ancestors_of(const Elements& elements, int level, int coarser) const
     {
@@ -317,7 +319,7 @@ template <class... Schemes>
 scheme_list<Schemes...> list_of(const std::tuple<Schemes...>*);
 using known_schemes = decltype(list_of(static_cast<const kith::all_schemes*>(nullptr)));
 
-/// What scipy.sparse.csr_matrix takes: weights, columns, where rows begin, and the shape.
+/// Returns the arguments of scipy.sparse.csr_matrix: weights, columns, the starts of the rows, and the shape.
 py::tuple compressed_rows(kith::subdivision_matrix matrix)
 {
     const auto rows = matrix.rows(), columns = matrix.columns;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Meshes and tags from files and into files, matrices into files, hierarchies saved and loaded.
+// Reads and writes meshes with their tags, writes matrices, and saves and loads hierarchies.
 #include "attributes_of.hpp"
 #include "matrix_market.hpp"
 #include "read_mesh.hpp"

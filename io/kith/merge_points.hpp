@@ -13,18 +13,18 @@
 
 namespace kith::io {
 
-/// Makes triangles that share vertices of triangles that repeat their points, as STL has them. Points are the same when
-/// their coordinates are equal; they are numbered in the order in which they come first.
+/// A class that makes triangles with shared vertices of triangles that repeat their points, as STL has them. Points
+/// with equal coordinates are the same vertex. Vertices are numbered in the order of their first corners.
 class merged_points {
 public:
-    /// Room for so many corners; more may come.
+    /// Reserves room for this number of corners; more may come.
     explicit merged_points(std::size_t corners)
     {
         soup_.faces.vertices.reserve(corners);
         grow(std::bit_ceil(std::max<std::size_t>(corners / 4, 64)));
     }
 
-    /// The next corner. Cost: O(1) on average.
+    /// Adds the next corner. Cost: O(1) on average.
     void add(const std::array<double, 3>& point)
     {
         if (2 * soup_.points.size() >= slots_.size())
@@ -38,7 +38,7 @@ public:
         }
         soup_.faces.vertices.push_back(slots_[slot]);
     }
-    /// Three corners each.
+    /// Returns the triangles, of three corners each; the object is empty then.
     [[nodiscard]] polygon_soup triangles()
     {
         soup_.faces.first.resize(soup_.faces.vertices.size() / 3 + 1);
@@ -53,7 +53,7 @@ private:
     static std::size_t hash(const std::array<double, 3>& point)
     {
         std::uint64_t result = 0;
-        for (const double x : point) { // -0 + 0 is 0
+        for (const double x : point) { // x + 0 makes 0 of -0
             result = (result ^ std::bit_cast<std::uint64_t>(x + 0)) * 0x9e3779b97f4a7c15;
             result ^= result >> 32;
         }

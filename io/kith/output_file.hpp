@@ -12,57 +12,58 @@
 
 namespace kith::io {
 
-/// Lets a signal that ends the program (SIGTERM, SIGINT, SIGHUP, unless they are ignored) first remove what is
-/// unfinished: a thread of its own waits for the signals, removes, and ends the program by the signal. Called once, at
-/// the beginning of main, since all threads that are started later must leave these signals to that one. A process that
-/// has nothing to remove ends so much later, for those that have: mpirun kills all ranks as soon as one has ended.
-/// `before` is called first, on the waiting thread.
+/// Makes a signal that ends the program (SIGTERM, SIGINT, SIGHUP, unless it is ignored) first remove all unfinished
+/// files. A thread waits for the signals, removes the files, and ends the program by the signal. Precondition: called
+/// once, at the beginning of main, since all later threads must leave these signals to that thread. A process with
+/// nothing to remove ends later by `patience`, so that other processes can remove their files: mpirun kills all ranks
+/// as soon as one has ended. `before` is called first, on the waiting thread.
 void remove_unfinished_when_interrupted(std::chrono::milliseconds patience = {}, void (*before)() = nullptr);
 
-/// While it is held, a signal waits: what is several steps is done as one.
+/// Returns a lock. Signals wait until it is released, so that several steps are done as one.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold_interruptions();
 
-/// The file that a path leads to when symbolic links are followed, whether it is there or not. Errors: file_error for
-/// links that lead in a circle.
+/// Returns the path to which a path leads when symbolic links are followed, whether that file exists or not. Errors:
+/// file_error for links that lead in a circle.
 std::string target_of(const std::string& path);
 
-/// The name of what is unfinished, next to the target, for the process with this number.
+/// Returns the name of the unfinished file, next to the target, of the process with this number.
 std::string unfinished_name(const std::string& target, unsigned long process);
 
-/// Gives a finished file the name of its target, with the permissions of a file that is replaced. Errors: file_error.
+/// Renames a finished file to its target, with the permissions of a file that is replaced. Errors: file_error.
 void give_name(const std::string& finished, const std::string& target);
 
-/// A file under another name, until `commit` gives it its own. Without `commit`, or when that fails, nothing is left
-/// and a file that was there before is untouched. It has the permissions of the file that it will replace. Symbolic
-/// links are followed. What is no regular file (a device, a pipe) is written directly.
-/// The process that makes it holds a lock (flock) on it, so what was left by a process that was killed is recognised,
-/// on any host, and removed by the next one that writes the same output; not on a file system without locks. Errors:
-/// file_error.
+/// A file under another name, until `commit` gives it its own. Without `commit`, or if that fails, nothing is left and
+/// an earlier file is untouched. The file has the permissions of the file that it will replace. Symbolic links are
+/// followed. A target that is no regular file (a device, a pipe) is written directly.
+/// The process that makes the file holds a lock (flock) on it. A file that was left by a killed process, on any host,
+/// is thus recognised; the next process that writes the same output removes it. This does not work on a file system
+/// without locks. Errors: file_error.
 class unfinished_file {
 public:
-    /// Makes the file, or opens the device. Errors: file_error for a path that cannot be written, which it begins with.
+    /// Makes the file, or opens the device. Errors: file_error for a path that cannot be written; it begins with the
+    /// path.
     explicit unfinished_file(const std::string& path);
     unfinished_file(const unfinished_file&) = delete;
     unfinished_file& operator=(const unfinished_file&) = delete;
     ~unfinished_file();
 
     [[nodiscard]] const std::string& target() const { return target_; }
-    /// Its name for now, the target itself for a device.
+    /// Returns the present name of the file; for a device, the target itself.
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool is_direct() const { return name_ == target_; }
-    /// Open for writing, empty, until this object ends.
+    /// Returns the descriptor of the file, which is empty and open for writing until this object ends.
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
-    /// A directory that belongs to it: made now, removed like the file, left alone by `commit`. Errors: file_error.
+    /// Makes a directory that belongs to the file. It is removed with the file; `commit` leaves it as it is. Errors:
+    /// file_error.
     void make_directory(const std::string& directory);
-    /// Gives the file its name. Precondition: what was to be written is in it. Errors: file_error; nothing is left
-    /// then.
+    /// Gives the file its name. Precondition: all content is written. Errors: file_error; nothing is left then.
     void commit();
 
-    /// For the thread that waits for signals, with interruptions held: removes the file and its directory, and tries
-    /// again for a second, since others may be putting more into the directory.
+    /// Removes the file and its directory, for the thread that waits for signals, with interruptions held. It tries
+    /// again for a second, because others may still put files into the directory.
     void remove_for_good() const;
-    /// The unfinished file that was begun before this one.
+    /// Returns the unfinished file that was begun before this one.
     [[nodiscard]] const unfinished_file* next() const { return next_; }
 
 private:
@@ -80,22 +81,22 @@ private:
     unfinished_file* next_ = nullptr; ///< in the list of all that a signal has to remove
 };
 
-/// A file that appears under its name only when it is complete, written as a stream. Errors: file_error.
+/// A file that is written as a stream, and appears under its name only when it is complete. Errors: file_error.
 class output_file {
 public:
-    /// Errors: as unfinished_file.
+    /// Begins the file. Errors: as unfinished_file.
     explicit output_file(const std::string& path);
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
-    /// Writes what is left and gives the file its name. Errors: file_error for what could not be written, to the stream
-    /// before as well; nothing is left then.
+    /// Writes the rest and gives the file its name. Errors: file_error if this or earlier output to the stream could
+    /// not be written; nothing is left then.
     void commit();
 
 private:
-    /// Writes large chunks; flushing is left to `finish`, since some writers flush after every line.
+    /// A buffer that writes large chunks. Only `finish` flushes it, because some writers flush after every line.
     class buffer : public std::streambuf {
     public:
-        /// For another descriptor of a file that is open; closing it tells what could not be written.
+        /// Makes another descriptor of an open file. Closing that one reports an error if output could not be written.
         explicit buffer(int file);
         ~buffer() override;
         /// Writes the rest and closes. Returns the error (errno), or 0.

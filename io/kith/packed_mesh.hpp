@@ -14,7 +14,8 @@ namespace kith::io {
 
 namespace detail {
 
-/// Whether the arrays of a mesh from elsewhere fit each other, so that walking on them stays inside and ends.
+/// Returns true if the arrays of a mesh from outside fit each other, so that walks on them stay inside the arrays and
+/// end.
 template <std::unsigned_integral Index>
 bool is_consistent(const connectivity<Index>& t, std::size_t points)
 {
@@ -64,15 +65,15 @@ bool is_consistent(const connectivity<Index>& t, std::size_t points)
 
 } // namespace detail
 
-/// Adds a mesh to a message with the numbers that its elements have. Cost: O(corners).
+/// Adds a mesh to a message. Its elements keep their numbers. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 void pack_mesh(packer& out, const basic_mesh<Point, Index>& mesh)
 {
     kith::detail::pack_mesh(out, mesh);
 }
 
-/// The inverse. Errors: pack_error for a message that ends too early, for arrays that do not fit each other, and for a
-/// generation that no mesh has. Cost: O(corners).
+/// Reads a mesh that pack_mesh has added to a message. Errors: pack_error for a message that ends too early, for arrays
+/// that do not fit each other, and for a generation that no mesh has. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> unpack_mesh(unpacker& in)
 {

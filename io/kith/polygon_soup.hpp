@@ -12,16 +12,16 @@
 
 namespace kith::io {
 
-/// A file's content as it stands: nothing is known yet about how the faces hang together, but all their vertices are
-/// there and all coordinates are finite.
+/// The content of a file as it stands. Nothing is known yet about how the faces are connected, but all their vertices
+/// exist and all coordinates are finite.
 struct polygon_soup {
     std::vector<std::array<double, 3>> points;
     face_list faces;
     mesh_tags tags{};
     mesh_attributes attributes{};
-    std::vector<std::string> not_kept{}; ///< what else the file holds: "lines", "weights of vertices"
-    std::vector<std::string> notes{};    ///< what is odd about it and does no harm
-    std::size_t first_number = 0;        ///< from which the format numbers vertices and faces: 1 in OBJ
+    std::vector<std::string> not_kept{}; ///< other content of the file: "lines", "weights of vertices"
+    std::vector<std::string> notes{};    ///< oddities of the file that do no harm
+    std::size_t first_number = 0;        ///< where the format begins to number vertices and faces: 1 in OBJ
 };
 
 } // namespace kith::io

@@ -41,7 +41,8 @@ std::uint64_t checksum_of(const storage<Point>& points)
     return kith::detail::checksum_of_bytes(std::as_bytes(std::span(points.data(), points.size())));
 }
 
-/// On which elements a state has values, and of which type, as far as numbers go; 0 for what is no field.
+/// Returns a code of the elements on which a state has values, and of the type of its numbers. The code of a state that
+/// is no field is 0.
 template <class State>
 constexpr std::uint64_t kind_of_state()
 {
@@ -65,7 +66,7 @@ constexpr std::uint64_t kind_of_state()
         return 0;
     }
 }
-/// The same of all that a scheme keeps of a level.
+/// Returns the codes of all states that a scheme keeps of a level.
 template <scheme Scheme>
 std::vector<std::uint64_t> kinds_of_state(const Scheme& scheme)
 {
@@ -74,7 +75,7 @@ std::vector<std::uint64_t> kinds_of_state(const Scheme& scheme)
     return result;
 }
 
-/// Adds a level, of a scheme that refines the faces that are chosen with those that were.
+/// Adds a level. A scheme that refines chosen faces gets the faces that were chosen when the level was saved.
 template <mesh M, scheme Scheme>
 void refine_as_saved(hierarchy<M, Scheme>& levels, unpacker& bytes)
 {
@@ -86,7 +87,7 @@ void refine_as_saved(hierarchy<M, Scheme>& levels, unpacker& bytes)
     }
 }
 
-/// That of the control mesh, without what was chosen for a step that has been undone.
+/// Returns the scheme of the control mesh, without the faces that were chosen for a step that has been undone.
 template <mesh M, scheme Scheme>
 Scheme control_scheme(const hierarchy<M, Scheme>& levels)
 {
@@ -97,7 +98,7 @@ Scheme control_scheme(const hierarchy<M, Scheme>& levels)
     return result;
 }
 
-/// Errors: file_error for state of another level.
+/// Throws file_error if the states of the scheme do not fit the control mesh.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 void require_states_of(const basic_mesh<Point, Index>& control, const Scheme& scheme)
 try {
@@ -106,7 +107,7 @@ try {
     throw file_error(std::string("saved levels: their control mesh and its state do not fit: ") + error.what());
 }
 
-/// The native mesh with the elements of this one.
+/// Returns the native mesh with the elements of this mesh.
 template <mesh M>
 auto native(const M& mesh)
 {
@@ -118,10 +119,10 @@ auto native(const M& mesh)
 
 } // namespace detail
 
-/// Writes a hierarchy with the state of its scheme (creases, fields) so that `read_levels` makes it again: the control
-/// mesh, how often it was refined, the faces that were chosen for it and the points that `move_points` has moved, as
-/// all else follows from them. The bytes are those of this kind of machine. Left out are removed elements of the
-/// control mesh and properties that are no fields of the scheme.
+/// Writes a hierarchy with the state of its scheme (creases, fields) for `read_levels`. The bytes hold the control
+/// mesh, the number of refinements, the faces chosen for them, and the points that `move_points` has moved; all else
+/// follows from these. The bytes are those of this kind of machine. They lack removed elements of the control mesh and
+/// properties that are no fields of the scheme.
 /// Errors: those of the stream, in its state. Cost: that of the control mesh and of levels that were moved.
 template <mesh M, scheme Scheme>
 void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
@@ -149,10 +150,10 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
     out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
 }
 
-/// The hierarchy that `write_levels` has written, with all its levels, the same bits. `scheme` has the options that it
-/// had then and as many fields, of the same types; what they hold is read. Errors: file_error for bytes that are
-/// damaged, of other types or of another scheme, and where the options make other levels; mesh_error if it does not fit
-/// into the memory limit. Cost: that of refining.
+/// Reads a hierarchy that `write_levels` has written, with all its levels, to the same bits. `scheme` has the options
+/// of the saved one, and as many fields of the same types; their values are read. Errors: file_error for bytes that are
+/// damaged, or belong to other types or another scheme, and if the options make other levels. Also mesh_error if the
+/// hierarchy does not fit into the memory limit. Cost: that of refining.
 template <mesh M, scheme Scheme>
 hierarchy<M, Scheme> read_levels(std::istream& in, Scheme scheme = Scheme(), refine_options options = {})
 try {
@@ -199,7 +200,7 @@ try {
         detail::refine_as_saved(levels, bytes);
         if (bytes.get<std::uint8_t>() != 0) {
             const auto moved = bytes.get_array<storage<point>>();
-            if constexpr (movable_mesh<M>) // of others none was
+            if constexpr (movable_mesh<M>) // points of other meshes were not moved
                 levels.move_points(level, {moved.data(), moved.size()});
         }
     }

@@ -7,10 +7,10 @@
 
 namespace kith::io {
 
-/// The creases of these tags on a mesh. Errors: mesh_error for an edge or vertex that the mesh does not have.
+/// Returns the creases of these tags on a mesh. Errors: mesh_error for an edge or vertex that the mesh does not have.
 creases creases_of(const mesh_tags& tags, const basic_mesh<>& mesh);
 
-/// The inverse: the sharpness of the edges and vertices of a level, by the numbers of its vertices.
+/// Returns the tags of creases: the sharpness of the edges and vertices of a level, by the numbers of its vertices.
 template <level Level>
 mesh_tags tags_of(const creases& sharpness, const Level& level)
 {

@@ -19,7 +19,8 @@
 
 namespace kith::cgal {
 
-/// Descriptors that hold numbers, those of the half-edges of edge i being 2i and 2i+1: Surface_mesh and OpenMesh.
+/// A graph whose descriptors hold numbers, such as a Surface_mesh or a mesh of OpenMesh. The half-edges of edge i have
+/// the numbers 2i and 2i+1.
 template <class Graph, class Traits = boost::graph_traits<Graph>>
 concept numbered_graph = requires(typename Traits::vertex_descriptor v, typename Traits::halfedge_descriptor h,
                                   typename Traits::face_descriptor f) {
@@ -28,7 +29,7 @@ concept numbered_graph = requires(typename Traits::vertex_descriptor v, typename
     { f.idx() } -> std::integral;
 };
 
-/// The numbers of descriptors that hold none, in the order of a range.
+/// A table of numbers for descriptors that hold none, in the order in which the descriptors are added.
 template <class Descriptor>
 class number_table {
 public:
@@ -36,14 +37,14 @@ public:
     [[nodiscard]] std::size_t operator[](const Descriptor& x) const
     {
         const auto found = numbers_.find(x);
-        return found == numbers_.end() ? bound() : found->second; // which no element has
+        return found == numbers_.end() ? bound() : found->second; // a number that no element has
     }
     [[nodiscard]] std::size_t bound() const { return numbers_.size(); }
 
 private:
     std::unordered_map<Descriptor, std::uint32_t> numbers_;
 };
-/// Those of descriptors that hold them; those of removed elements may reach beyond the bound.
+/// The numbers that descriptors hold. The numbers of removed elements may reach beyond the bound.
 template <class Descriptor>
 class held_numbers {
 public:
@@ -55,10 +56,10 @@ private:
     std::size_t bound_ = 0;
 };
 
-/// Any model of CGAL's FaceListGraph as a mesh to kith, with a property map of its points: a view, which reads.
-/// Descriptors without numbers, such as those of Polyhedron_3, are numbered in tables when it is made, in the order of
-/// the graph. Coordinates that are floats or doubles are read as arrays, so that all such graphs are refined by the
-/// same code. Isolated vertices are left out, like removed ones.
+/// A view that reads any model of CGAL's FaceListGraph, with a property map of its points, as a mesh. Descriptors
+/// without numbers, such as those of Polyhedron_3, are numbered in tables when the view is made, in the order of the
+/// graph. Coordinates that are floats or doubles are read as arrays, so that the same code refines all these graphs.
+/// Isolated vertices are left out, like removed ones.
 template <class Graph, class VertexPointMap>
 class face_graph {
     template <class Descriptor>
@@ -68,7 +69,7 @@ public:
     using vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
     using halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
     using face = typename boost::graph_traits<Graph>::face_descriptor;
-    /// By number: descriptors of edges remember by which half-edge they were asked for.
+    /// An edge, known by its number. CGAL's descriptors of edges remember the half-edge by which they were requested.
     struct edge {
         std::uint32_t number = 0;
         friend bool operator==(const edge&, const edge&) = default;
@@ -78,7 +79,8 @@ public:
     static constexpr bool has_plain_points = std::floating_point<number>;
     using point = std::conditional_t<has_plain_points, std::array<number, 3>, graph_point>;
 
-    /// The graph must outlive it, unchanged. Cost: O(elements).
+    /// Takes a graph and a map of its points. Precondition: the graph outlives the view and does not change. Cost:
+    /// O(elements).
     face_graph(const Graph& graph, VertexPointMap points) : graph_(&graph), points_(points)
     {
         using namespace graph_calls;
@@ -111,7 +113,8 @@ public:
     [[nodiscard]] const std::vector<vertex>& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<edge>& edges() const { return edges_; }
     [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
-    /// The numbers of these vertices among all of the graph; empty if no vertex is left out.
+    /// Returns the numbers of the vertices of this view among all vertices of the graph. The result is empty if no
+    /// vertex is left out.
     [[nodiscard]] const std::vector<std::uint32_t>& joined() const { return joined_; }
     [[nodiscard]] const auto& vertex_numbers() const { return vertex_numbers_; }
     [[nodiscard]] const auto& face_numbers() const { return face_numbers_; }
@@ -180,7 +183,7 @@ struct mesh_traits<cgal::face_graph<Graph, VertexPointMap>> {
     static vertex source(const mesh_type& m, halfedge h) { return cgal::graph_calls::source_of(m.graph(), h); }
     static edge edge_of(const mesh_type& m, halfedge h) { return {std::uint32_t(index(m, h) / 2)}; }
     static face face_of(const mesh_type& m, halfedge h) { return cgal::graph_calls::face_beside(m.graph(), h); }
-    static halfedge halfedge_of(const mesh_type& m, vertex v) // CGAL's comes in
+    static halfedge halfedge_of(const mesh_type& m, vertex v) // CGAL's leads to it
     {
         return opposite(m, cgal::graph_calls::halfedge_at(m.graph(), v));
     }

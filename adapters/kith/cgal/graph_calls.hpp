@@ -8,8 +8,9 @@
 
 namespace kith::cgal::graph_calls {
 
-// CGAL's functions on graphs, found where each library has them, under names that no class of kith has. These hide the
-// classes, beside which the compiler would look for no functions.
+// CGAL's functions on graphs, under names that no class of kith has. Each call finds the function of the graph's own
+// library. The deleted functions hide kith's classes of these names; beside a class the compiler would look for no
+// function.
 void edge() = delete;
 void face() = delete;
 void target() = delete;
@@ -31,14 +32,14 @@ bool has_no_face(const Graph& g, typename boost::graph_traits<Graph>::halfedge_d
 {
     return face(h, g) == boost::graph_traits<Graph>::null_face();
 }
-/// Here nor do half-edges whose face was removed, which name it still.
+/// Returns true if a half-edge of a Surface_mesh has no face, or refers to a face that was removed.
 template <class Point>
 bool has_no_face(const CGAL::Surface_mesh<Point>& m, typename CGAL::Surface_mesh<Point>::Halfedge_index h)
 {
     return mesh_traits<CGAL::Surface_mesh<Point>>::is_boundary(m, h);
 }
 
-/// Returns whether no edge leads to a vertex.
+/// Returns true if no edge leads to the vertex.
 inline constexpr auto is_alone = []<class Graph>(const Graph& g, auto v) {
     return halfedge(v, g) == boost::graph_traits<Graph>::null_halfedge();
 };

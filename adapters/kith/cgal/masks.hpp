@@ -17,8 +17,8 @@ namespace kith::cgal {
 
 namespace detail {
 
-/// A step whose points are made by place(view, native mesh, numbering, points of the graph), on the graph as it is
-/// before. What is carried goes by the masks of the scheme, which has the connectivity.
+/// Makes one step in place. place(view, native mesh, numbering, new points) computes the new points from the graph
+/// before the step. The masks of `scheme`, which defines the connectivity, compute the carried properties.
 template <class Graph, class VertexPointMap, scheme Scheme, class Place>
 void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation, const Place& place)
 {
@@ -26,7 +26,7 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
     const view_type view(std::as_const(g), points);
     if (view.faces().empty())
         return;
-    auto control = to_native_valid(view); // before all else, as it looks whether this is a mesh
+    auto control = to_native_valid(view); // before all else, as it checks that this is a mesh
     typename in_place::properties_of<Graph>::type carried(g, view.joined());
     control = {storage<typename view_type::point>(control.points()), control.topology(), generation};
     in_place::require_faces(view, control, scheme);
@@ -40,7 +40,8 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
     write(g, points, surface, carried, [&](std::size_t v) { return made[v]; });
 }
 
-/// The half-edge of each edge that has a face and, if it lies at the boundary, that; CGAL's for the others.
+/// Returns the half-edge of an edge that has a face if the edge lies at the boundary. Returns CGAL's half-edge of any
+/// other edge.
 template <mesh View>
 typename View::halfedge inner_side(const View& view, typename View::edge e)
 {
@@ -48,8 +49,8 @@ typename View::halfedge inner_side(const View& view, typename View::edge e)
     return graph_calls::has_no_face(view.graph(), h) ? graph_calls::opposite_of(view.graph(), h) : h;
 }
 
-/// Edge points and vertex points by a mask of CGAL's kind. Where an edge lies at the boundary, border_node makes the
-/// point of its end, too.
+/// Makes the edge points and the vertex points by a mask with CGAL's interface. At a boundary edge, border_node makes
+/// the edge point and the point of the vertex at the edge's end.
 template <mesh View, class Mask, element_ids Ids, class Points>
 void place_edges_and_vertices(const View& view, Mask& mask, const Ids& ids, const Points& points)
 {
@@ -103,7 +104,7 @@ void repeat(Graph& g, const Np& np, const Step& step)
             step(points, i);
     }
 }
-/// For schemes whose steps are all alike.
+/// Makes the steps of a scheme whose steps are all alike.
 template <class Graph, class Np, scheme Scheme, class Place>
 void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& place)
 {
@@ -114,11 +115,12 @@ void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& p
 
 // NOLINTBEGIN(readability-identifier-naming)
 
-/// CGAL::Subdivision_method_3::PQQ, the quad split by a mask of one's own: a model of CGAL's PQQMask_3, whose
-/// face_node, edge_node, vertex_node and border_node see the mesh as it is before the step. Named parameters:
-/// number_of_iterations and vertex_point_map; or a number of steps. Property maps of a Surface_mesh go linearly, for
-/// all others see `subdivision`.
-/// Errors: as kith::refine, after the steps that went well. Cost: O(corners) and that of the mask per step.
+/// Subdivides by the quad split with a mask of the caller, like CGAL::Subdivision_method_3::PQQ. The mask is a model of
+/// CGAL's PQQMask_3; its face_node, edge_node, vertex_node and border_node see the mesh before the step. Takes the
+/// named parameters number_of_iterations and vertex_point_map, or a number of steps. Property maps of a Surface_mesh
+/// are carried linearly; for everything else see `subdivision`.
+/// Errors: as kith::refine; the mesh keeps the steps before the error. Cost: O(corners) and the cost of the mask, per
+/// step.
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void PQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
@@ -129,7 +131,8 @@ void PQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_value
         });
 }
 
-/// The same for the split of triangles: CGAL's PTQMask_3, with edge_node, vertex_node and border_node.
+/// Subdivides triangles like PQQ, but by the split of triangles into triangles. The mask is a model of CGAL's
+/// PTQMask_3, with edge_node, vertex_node and border_node.
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void PTQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
@@ -141,7 +144,8 @@ void PTQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_value
                            });
 }
 
-/// The same for the dual split: CGAL's DQQMask_3, whose corner_node takes the half-edge to the corner in its face.
+/// Subdivides like PQQ, but by the dual split. The mask is a model of CGAL's DQQMask_3, whose corner_node takes the
+/// half-edge that leads to the corner in its face.
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
@@ -153,8 +157,9 @@ void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_value
                            });
 }
 
-/// The same for the sqrt(3) split: CGAL's Sqrt3Mask_3, with face_node, vertex_node and, in every second step of a call,
-/// border_node(half-edge, point near its target, point near its source, point of its target).
+/// Subdivides like PQQ, but by the sqrt(3) split. The mask is a model of CGAL's Sqrt3Mask_3, with face_node,
+/// vertex_node and border_node. Every second step of a call uses border_node(half-edge, point near its target, point
+/// near its source, point of its target).
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void Sqrt3(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {

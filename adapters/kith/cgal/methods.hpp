@@ -12,7 +12,7 @@ namespace kith::cgal {
 
 namespace detail {
 
-/// The scheme, or the linear split where nothing is to move.
+/// Subdivides by the scheme, or by the linear split if do_not_modify_geometry is set.
 template <class Linear, class Graph, scheme Scheme, class Np, class... Argument>
 property_report subdivide(Graph& pmesh, const Scheme& scheme, const Np& np, const Argument&... arguments)
 {
@@ -31,11 +31,12 @@ property_report subdivide(Graph& pmesh, const Scheme& scheme, const Np& np, cons
 
 } // namespace detail
 
-// Named as CGAL's, so that it takes one line to go from one to the other.
+// Named like CGAL's functions, so that one changed line takes a program from CGAL to kith.
 // NOLINTBEGIN(readability-identifier-naming)
 
-/// CGAL::Subdivision_method_3::CatmullClark_subdivision, to the same surface, boundaries included. Named parameters as
-/// `subdivision` and do_not_modify_geometry; or a number of steps. Errors, cost: as `subdivision`, here and below.
+/// Subdivides like CGAL::Subdivision_method_3::CatmullClark_subdivision, to the same surface, boundaries included.
+/// Takes the named parameters of `subdivision` and do_not_modify_geometry, or a number of steps. Errors, cost: as
+/// `subdivision`, also of the functions below.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report CatmullClark_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                          const Argument&... arguments)
@@ -43,7 +44,7 @@ property_report CatmullClark_subdivision(Graph& pmesh, const Np& np = CGAL::para
     return detail::subdivide<linear>(pmesh, like<catmull_clark>(library::cgal), np, arguments...);
 }
 
-/// The same for Loop; triangles.
+/// Subdivides triangles like CGAL's Loop_subdivision, to the same surface. Parameters: as CatmullClark_subdivision.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report Loop_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                  const Argument&... arguments)
@@ -51,7 +52,8 @@ property_report Loop_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::
     return detail::subdivide<linear_triangles>(pmesh, like<loop>(library::cgal), np, arguments...);
 }
 
-/// The same for Doo-Sabin: the surface recedes from a boundary.
+/// Subdivides like CGAL's DooSabin_subdivision, to the same surface, which recedes from a boundary. Takes the named
+/// parameters of `subdivision`, or a number of steps, as do all functions below.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report DooSabin_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                      const Argument&... arguments)
@@ -59,7 +61,8 @@ property_report DooSabin_subdivision(Graph& pmesh, const Np& np = CGAL::paramete
     return subdivision(pmesh, like<doo_sabin>(library::cgal), np, arguments...);
 }
 
-/// The same for sqrt(3); triangles. As with CGAL the boundary is refined in every second step of one call.
+/// Subdivides triangles like CGAL's Sqrt3_subdivision, to the same surface. As in CGAL, every second step of one call
+/// refines the boundary.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report Sqrt3_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                   const Argument&... arguments)
@@ -69,7 +72,7 @@ property_report Sqrt3_subdivision(Graph& pmesh, const Np& np = CGAL::parameters:
 
 // Schemes that CGAL does not have.
 
-/// Modified Butterfly; triangles.
+/// Subdivides triangles by the Modified Butterfly scheme.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report Butterfly_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                       const Argument&... arguments)
@@ -77,7 +80,7 @@ property_report Butterfly_subdivision(Graph& pmesh, const Np& np = CGAL::paramet
     return subdivision(pmesh, butterfly(), np, arguments...);
 }
 
-/// Interpolatory sqrt(3); closed meshes of triangles.
+/// Subdivides closed meshes of triangles by the interpolatory sqrt(3) scheme.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report InterpolatorySqrt3_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                                const Argument&... arguments)
@@ -85,7 +88,7 @@ property_report InterpolatorySqrt3_subdivision(Graph& pmesh, const Np& np = CGAL
     return subdivision(pmesh, interpolatory_sqrt3(), np, arguments...);
 }
 
-/// Kobbelt's interpolating scheme; quads.
+/// Subdivides quads by Kobbelt's interpolating scheme.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report Kobbelt_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                     const Argument&... arguments)
@@ -93,8 +96,8 @@ property_report Kobbelt_subdivision(Graph& pmesh, const Np& np = CGAL::parameter
     return subdivision(pmesh, kobbelt(), np, arguments...);
 }
 
-/// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their
-/// first edges, as they do after an earlier call.
+/// Subdivides by the 4-8 scheme of Velho and Zorin. Any mesh is first made a tri-quad mesh, as by `tri_quad`.
+/// Exceptions are meshes whose triangles agree on their first edges, as they do after an earlier call.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report FourEight_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                       const Argument&... arguments)
@@ -102,7 +105,7 @@ property_report FourEight_subdivision(Graph& pmesh, const Np& np = CGAL::paramet
     return subdivision(pmesh, four_eight(), np, arguments...);
 }
 
-/// Nasri and Hasbini's ternary scheme.
+/// Subdivides by the ternary scheme of Nasri and Hasbini.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report NasriHasbini_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                          const Argument&... arguments)
@@ -110,7 +113,7 @@ property_report NasriHasbini_subdivision(Graph& pmesh, const Np& np = CGAL::para
     return subdivision(pmesh, nasri_hasbini(), np, arguments...);
 }
 
-/// The mid-edge scheme.
+/// Subdivides by the mid-edge scheme.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report MidEdge_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                     const Argument&... arguments)
@@ -118,7 +121,7 @@ property_report MidEdge_subdivision(Graph& pmesh, const Np& np = CGAL::parameter
     return subdivision(pmesh, mid_edge(), np, arguments...);
 }
 
-/// Zorin and Schroeder's unified family, of bidegree 1 to 9; closed meshes.
+/// Subdivides closed meshes by Zorin and Schroeder's unified family of schemes; `degree` is the bidegree, 1 to 9.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report Unified_subdivision(Graph& pmesh, int degree, const Np& np = CGAL::parameters::default_values(),
                                     const Argument&... arguments)
@@ -126,7 +129,8 @@ property_report Unified_subdivision(Graph& pmesh, int degree, const Np& np = CGA
     return subdivision(pmesh, unified{.degree = degree}, np, arguments...);
 }
 
-/// The linear splits, of polygons into quads and of triangles into triangles.
+/// Subdivides by a linear split: Linear_subdivision of polygons into quads, LinearTriangles_subdivision of triangles
+/// into triangles.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report Linear_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
                                    const Argument&... arguments)

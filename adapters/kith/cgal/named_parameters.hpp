@@ -12,7 +12,7 @@
 
 namespace kith::cgal {
 
-/// CGAL's named parameters and those it does not have. The latter come first in a chain:
+/// CGAL's named parameters, and parameters that CGAL does not have. The latter come first in a chain:
 /// parameters::edge_sharpness_map(sharp).number_of_iterations(3).
 namespace parameters {
 
@@ -21,8 +21,9 @@ using namespace CGAL::parameters;
 enum edge_sharpness_t { edge_sharpness };
 enum vertex_sharpness_t { vertex_sharpness };
 
-/// Edges and vertices with numbers: sharp for as many levels, infinitely_sharp for ever. `more` is a chain to go on
-/// from, if there is one.
+/// Returns a named parameter: the map of the sharpness of edges, or of vertices. A number is the count of levels on
+/// which an element stays sharp; infinitely_sharp keeps it sharp for ever. `more` is the chain of parameters that this
+/// one is added to, if there is one.
 template <class Map, class... More>
 auto edge_sharpness_map(const Map& map, const More&... more)
 {
@@ -40,7 +41,7 @@ inline constexpr auto do_not_modify_geometry_tag = CGAL::internal_np::do_not_mod
 #else
 enum do_not_modify_geometry_t { do_not_modify_geometry_tag };
 
-/// Elements are split and nothing moves, as in CGAL from 6.1 on.
+/// Returns a named parameter, which CGAL has from 6.1 on. If it is true, elements are split and no point moves.
 template <class... More>
 auto do_not_modify_geometry(bool b, const More&... more)
 {
@@ -50,7 +51,8 @@ auto do_not_modify_geometry(bool b, const More&... more)
 
 } // namespace parameters
 
-/// What a function of this dialect takes after the mesh: named parameters, or a number of steps, as before CGAL 5.
+/// A number of steps. CGAL before version 5 took one after the mesh; functions of this dialect take it or named
+/// parameters.
 template <class Np>
 concept steps = std::integral<Np>;
 
@@ -59,7 +61,7 @@ namespace detail {
 template <class Np, class Tag>
 inline constexpr bool is_given = not CGAL::parameters::is_default_parameter<Np, Tag>::value;
 
-/// A map that values can be put into.
+/// Returns true if values can be put into a map of this type.
 template <class Map>
 constexpr bool is_writable()
 {
@@ -70,7 +72,7 @@ constexpr bool is_writable()
     return std::is_convertible_v<category, boost::writable_property_map_tag> and not refers_to_constants;
 }
 
-/// The parameter itself, where it was given by std::ref.
+/// Returns the parameter, or the object that it refers to if it was passed by std::ref.
 template <class T>
 decltype(auto) unwrapped(T& parameter)
 {
@@ -80,7 +82,7 @@ decltype(auto) unwrapped(T& parameter)
         return (parameter);
 }
 
-/// Tells the visitor how much is done; whether to go on.
+/// Tells the visitor how much of the work is done. Returns false if the visitor asks to stop.
 template <class Visitor>
 bool tell(Visitor& visitor, double done)
 {

@@ -56,8 +56,8 @@ inline constexpr bool has_sharp_elements = is_given<Np, CGAL::internal_np::edge_
                                            is_given<Np, parameters::edge_sharpness_t> or
                                            is_given<Np, parameters::vertex_sharpness_t>;
 
-/// Returns true if elements of this type are keys of the map, which a map without a key type always accepts. Else the
-/// program does not compile.
+/// Returns true if elements of this type can be keys of the map. A map without a key type takes any element. Other maps
+/// do not compile.
 template <class Map, class Element>
 constexpr bool has_key()
 {
@@ -69,7 +69,7 @@ constexpr bool has_key()
     return fits;
 }
 
-/// Calls f(map) for each of the two maps that is given.
+/// Calls f(map) for each of the two maps that the caller passed.
 template <class Constrained, class Sharpness, class Np, class F>
 void for_each_map(const Np& np, const F& f)
 {
@@ -89,8 +89,8 @@ double sharpness_in(const Np& np, const Element& x, std::size_t number, const ch
     return result;
 }
 
-/// Adds what the maps say to the creases of a scheme. Messages have the numbers that the graph's handles hold, where
-/// they do; removed elements make others of those of the level.
+/// Adds the sharpness in the maps to the creases of a scheme. Messages have the numbers that the graph's handles hold,
+/// if they hold any. After removals these numbers differ from those of the level.
 template <mesh View, class Np>
 void read_creases(const View& view, const Np& np, creases& sharp)
 {
@@ -110,7 +110,7 @@ void read_creases(const View& view, const Np& np, creases& sharp)
             sharp.sharpen_vertex(v.index(), s);
 }
 
-/// A sharpness as a map has it; of numbers without an infinity the largest.
+/// Returns a sharpness as a value of a map. Integers have no infinity; their largest value stands for it.
 template <class Value>
 Value as_sharpness(double sharpness)
 {
@@ -122,7 +122,7 @@ Value as_sharpness(double sharpness)
         return Value(sharpness);
 }
 
-/// Lets the maps that can be written say how sharp the elements of the refined mesh are.
+/// Writes the sharpness of the elements of the refined mesh into the maps that can be written.
 template <class Vertices, class Edges, class Np>
 void write_creases(const written_elements<Vertices, Edges>& written, const Np& np, const creases& sharp)
 {
@@ -147,8 +147,8 @@ void write_creases(const written_elements<Vertices, Edges>& written, const Np& n
           [&](std::size_t v) { return sharp.of_vertex(v); });
 }
 
-/// Where the points of a graph lie in another map, its own ones say nothing of new vertices: zero in a Surface_mesh,
-/// which leaves them open.
+/// Sets the Surface_mesh's own points of new vertices, which CGAL leaves unset, to zero. Does nothing if `points` is
+/// the map of the own points, and for other graphs.
 template <class Graph, class VertexPointMap>
 void clear_own_points(Graph&, const VertexPointMap&, std::size_t)
 {
@@ -166,7 +166,7 @@ void clear_own_points(CGAL::Surface_mesh<Point>& m, const VertexPointMap& points
             m.point(vertex(typename mesh::size_type(v))) = Point(CGAL::ORIGIN);
 }
 
-/// Puts a point into a map; CGAL's own map of the points of OpenMesh would round it to floats.
+/// Puts a point into a map. Own points of OpenMesh are set directly: CGAL's map of them would round to floats.
 template <class Graph, class VertexPointMap, class Vertex, class Point>
 void put_point(Graph& g, const VertexPointMap& points, Vertex v, const Point& p)
 {
@@ -177,8 +177,8 @@ void put_point(Graph& g, const VertexPointMap& points, Vertex v, const Point& p)
         put(points, v, p);
 }
 
-/// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i. Returns its elements in that order.
-/// Errors occur before a Surface_mesh is changed, except errors of maps that the caller passes.
+/// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i. Returns the graph's elements in the
+/// order of that mesh. Errors occur before a Surface_mesh is changed, except errors of maps that the caller passes.
 template <class Graph, class VertexPointMap, class Point, class Carried, class PointOf>
 auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, Carried& carried,
            const PointOf& point_of)
@@ -206,7 +206,7 @@ auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine
     return written;
 }
 
-/// The graph that is refined: of a class derived from a Surface_mesh that one.
+/// Returns the graph to refine: the Surface_mesh from which a class is derived, or else the graph itself.
 template <class Graph>
 auto& graph_of(Graph& g)
 {
@@ -227,7 +227,7 @@ property_report refine(Graph& g, Scheme& scheme, const Np& np, const Argument&..
     std::vector<std::uint32_t> joined;
     auto control = [&] {
         const face_graph view(std::as_const(g), points);
-        auto lifted = to_native_valid(view); // before all else, as it looks whether this is a mesh
+        auto lifted = to_native_valid(view); // before all else, as it checks that this is a mesh
         in_place::require_faces(view, lifted, scheme);
         if constexpr (scheme_with_creases<Scheme> and has_sharp_elements<Np>)
             read_creases(view, np, scheme.sharpness);
@@ -256,29 +256,30 @@ property_report refine(Graph& g, Scheme& scheme, const Np& np, const Argument&..
 
 } // namespace detail
 
-/// Subdivides a mesh in place by any scheme of kith's or of one's own: subdivision(pmesh, kith::kobbelt(), np).
-/// The graph is any model of CGAL's MutableFaceGraph and FaceListGraph. Old vertices keep their descriptors and come
-/// before the new ones, in schemes that have a vertex for each (not in a graph that makes new vertices of removed ones,
-/// such as a Linear_cell_complex); edges and faces are others. Property maps of a
-/// Surface_mesh go along by the rules of `carry_properties`.
+/// Subdivides a mesh in place by any scheme of kith or of the caller: subdivision(pmesh, kith::kobbelt(), np).
+/// The graph is any model of CGAL's MutableFaceGraph and FaceListGraph. In schemes with a vertex for each old vertex,
+/// old vertices keep their descriptors and come before the new ones. They do not come first in a graph that makes new
+/// vertices of removed ones, such as a Linear_cell_complex. Edges and faces are replaced. Property maps of a
+/// Surface_mesh are carried by the rules of `carry_properties`.
 ///
 ///   number_of_iterations(n)         1
 ///   vertex_point_map(map)           get(CGAL::vertex_point, pmesh)
 ///   edge_is_constrained_map(map), vertex_is_constrained_map(map)
-///                                   creases and corners, infinitely sharp where true; a map of numbers says how sharp,
-///                                   the largest of integers for ever
+///                                   creases and corners, infinitely sharp where true; numbers are a sharpness, of
+///                                   which the largest integer is infinite
 ///   edge_sharpness_map(map), vertex_sharpness_map(map)
 ///                                   the same with numbers, in parameters of this namespace
-///   visitor(v)                      v.progress(share of the work done) after each level; if that returns false the
-///                                   mesh stays
+///   visitor(v)                      v.progress(share of the work done) after each level; if it returns false, the
+///                                   mesh is not changed
 ///
-/// Maps of creases that can be written then say how sharp the refined mesh is, so that it can be refined again.
-/// More arguments say how property maps go: kith::by_rule<face, type>(name, rule), kith::value_types<type...>(). Maps
-/// of other types are copied from the parent on faces, edges and half-edges along old ones; old vertices keep their
-/// values. A mesh without faces stays as it is, and so do isolated vertices where old vertices stay.
+/// Crease maps that can be written then get the sharpness of the refined mesh, so that it can be refined again.
+/// Further arguments set how property maps are carried: kith::by_rule<face, type>(name, rule),
+/// kith::value_types<type...>(). Values of other types are copied from the parent to faces, and to edges and half-edges
+/// along old ones; old vertices keep theirs. A mesh without faces is not changed; isolated vertices stay if old
+/// vertices stay.
 /// Returns which property maps were carried and which were left out, with the reason.
-/// Errors: those of kith::refine. After these, and when memory ends, a Surface_mesh is as it was. Two things are
-/// excepted, since they come last: copies of values of types that are not named, and maps of the user's own.
+/// Errors: those of kith::refine. After an error, also when memory runs out, a Surface_mesh is unchanged. Exceptions
+/// are errors in copies of values of unnamed types and in the caller's maps, as both come last.
 /// Cost: that of kith::refine.
 template <class Graph, scheme Scheme, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::default_values(),

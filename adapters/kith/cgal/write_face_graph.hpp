@@ -14,8 +14,8 @@
 
 namespace kith::cgal {
 
-/// The elements of a graph in the order of the native mesh that was written into it. A graph need not list them so:
-/// one that makes new elements of removed ones, such as a Linear_cell_complex, has some before old ones.
+/// The elements of a graph in the order of the native mesh that was written into it. The graph may list them in another
+/// order: a graph that makes new elements of removed ones, such as a Linear_cell_complex, lists some before old ones.
 template <class Vertices, class Edges>
 struct written_elements {
     Vertices vertices;
@@ -24,12 +24,13 @@ struct written_elements {
 
 namespace detail {
 
-/// A graph whose elements hold values of their own, such as a Polyhedron_3: what a vertex, an edge or a face has is not
-/// what another should have.
+/// A graph whose elements hold their own values, such as a Polyhedron_3. An element must not get the values of another
+/// one.
 template <class Graph>
 concept has_items = requires { typename Graph::HalfedgeDS; };
 
-/// A graph whose elements have their values in arrays, such as a mesh of OpenMesh: what these grow by is new.
+/// A graph whose elements have their values in arrays, such as a mesh of OpenMesh. Arrays that grow get the values of
+/// new elements.
 template <class Graph>
 concept has_arrays = requires(Graph& g, std::size_t n) {
     g.resize(n, n, n);
@@ -37,7 +38,8 @@ concept has_arrays = requires(Graph& g, std::size_t n) {
     g.face_colors_pph();
 };
 
-/// Makes zero what OpenMesh leaves open in new elements: its vectors, on all but the first vertices.
+/// Sets the vectors that OpenMesh leaves unset in new elements to zero. The first `vertices_to_keep` vertices keep
+/// theirs.
 template <has_arrays Graph>
 void clear_vectors(Graph& g, std::size_t vertices_to_keep)
 {
@@ -61,8 +63,8 @@ void clear_vectors(Graph& g, std::size_t vertices_to_keep)
     clear(g.has_face_colors(), g.face_colors_pph(), 0);
 }
 
-/// As many elements as are asked for: of those that the graph has at most `kept`, and new ones. Until commit(), which
-/// removes the others, the graph has all of them; without it the new ones go again.
+/// A list of `size` elements of a graph: at most `kept` of the existing ones, and new ones. Until commit(), which
+/// removes the surplus elements, the graph has all of them. Without commit() the destructor removes the new ones.
 template <class Descriptor, class Add, class Remove>
 class resized_elements {
 public:
@@ -90,7 +92,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<Descriptor>& all() const { return all_; }
-    /// The elements, of which those that are not in all() go.
+    /// Removes from the graph the elements that are not in all(). Returns the others.
     std::vector<Descriptor> commit()
     {
         is_committed_ = true;
@@ -114,11 +116,11 @@ private:
 
 } // namespace detail
 
-/// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
-/// order, those of vertices, edges and faces from 0 on, and new ones are added; where elements hold values, only
-/// those of vertices that are to keep them, and in a mesh of OpenMesh all other elements have T() or zero as new ones
-/// do, but that vectors in properties of the user's own may be open. Isolated vertices stay. Points are not written.
-/// If an element cannot be added the graph is as it was, but a mesh of OpenMesh. Cost: O(elements).
+/// Overwrites any model of MutableFaceGraph with these elements. Existing descriptors of vertices, edges and faces are
+/// used again in their order, from 0 on, and new ones are added. If elements hold values, only vertices that are to
+/// keep their values are used again. In a mesh of OpenMesh all other elements get T() or zero, like new ones; vectors
+/// in the user's own properties may be unset. Isolated vertices stay. Points are not written. If an element cannot be
+/// added, the graph is unchanged, except a mesh of OpenMesh. Cost: O(elements).
 template <class Graph>
 auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
@@ -159,7 +161,7 @@ auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
         halfedges.push_back(h);
         halfedges.push_back(opposite_of(g, h));
     }
-    std::vector<std::uint32_t> leaving(t.vertices); // the half-edge without face that leaves a vertex
+    std::vector<std::uint32_t> leaving(t.vertices); // by vertex, the half-edge without face that leaves it
     const auto new_vertices = vertices.commit();
     const auto new_edges = edges.commit();
     const auto new_faces = faces.commit();
@@ -185,7 +187,7 @@ auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
     for (std::size_t c = 0; c < t.corners(); ++c)
         if (const std::uint32_t beyond = t.corner_halfedge[c] ^ 1; t.halfedge_corner[beyond] == t.none)
             set_next(halfedges[beyond], halfedges[leaving[t.corner_vertex[c]]], g);
-    for (std::size_t v = 0; v < t.vertices; ++v) // CGAL's half-edge of a vertex comes in
+    for (std::size_t v = 0; v < t.vertices; ++v) // CGAL's half-edge of a vertex leads to it
         set_halfedge(new_vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
     return written_elements{new_vertices, new_edges};
 }

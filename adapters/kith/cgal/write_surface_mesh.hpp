@@ -23,7 +23,8 @@ namespace kith::cgal {
 
 namespace detail {
 
-/// Makes elements of those that were removed, so that no count or list of them is left; undo() removes them again.
+/// A helper that makes removed elements of a mesh valid again, so that the mesh has no count or list of them. undo()
+/// removes them again.
 template <class Point>
 class taken_back_elements {
     using mesh = CGAL::Surface_mesh<Point>;
@@ -84,9 +85,9 @@ private:
 
 } // namespace detail
 
-/// Overwrites a Surface_mesh in two parts: the constructor does all that can fail, commit() the rest. Without commit()
-/// the mesh is as it was. Vertices keep their indices if they are to; isolated ones stay then, and removed ones stay
-/// removed. Edges and faces are numbered from 0 on. Property maps stay, and get their values from
+/// A writer that overwrites a Surface_mesh in two parts: the constructor does everything that can fail, commit() the
+/// rest. Without commit() the mesh is unchanged. If vertices keep their indices, isolated vertices stay, and removed
+/// ones stay removed. Edges and faces are numbered from 0 on. Property maps stay, and get their values from
 /// `in_place::carried_properties`. Points are not written.
 template <class Point>
 class surface_mesh_writer {
@@ -97,7 +98,8 @@ class surface_mesh_writer {
     using traits = mesh_traits<mesh>;
 
 public:
-    /// With room for `staged_places`, or not. The arrays must outlive the writer. Cost: O(elements).
+    /// Makes room for the elements, and for `staged_places` if `stages_values` is true. Precondition: the arrays
+    /// outlive the writer. Cost: O(elements).
     surface_mesh_writer(mesh& m, const connectivity<std::uint32_t>& t, bool keeps_vertices, bool stages_values)
         : mesh_(&m)
         , t_(&t)
@@ -113,7 +115,7 @@ public:
                     numbers_.push_back(v);
             }
         const std::size_t joined = numbers_.size();
-        const std::size_t others = keeps_vertices ? old_.vertices - joined : 0; // those that stay without a face
+        const std::size_t others = keeps_vertices ? old_.vertices - joined : 0; // vertices that stay, without a face
         for (std::size_t v = joined; v < t.vertices; ++v)
             numbers_.push_back(std::uint32_t(v + others));
         bound_ = t.vertices + others;
@@ -124,7 +126,7 @@ public:
         const std::string mark = traits::odd_generation;
         if (traits::generation(m) != 0)
             odd_ = m.template add_property_map<face, bool>(mark).first;
-        // Without such values everything goes to its place at once.
+        // Without staged values everything goes to its final place at once.
         const std::size_t stage = stages_values ? 1 : 0;
         taken_back_.emplace(m);
         try {
@@ -147,7 +149,7 @@ public:
 
     [[nodiscard]] const in_place::staged_places& places() const { return old_; }
 
-    /// Precondition: the values are in their final places. Returns the elements in the order of the arrays.
+    /// Joins the elements. Returns them in the order of the arrays. Precondition: the values are in their final places.
     auto commit() noexcept
     {
         is_committed_ = true;
@@ -169,7 +171,8 @@ private:
         mesh_->resize(size(old_.vertices), size(old_.edges), size(old_.faces));
         taken_back_->undo();
     }
-    /// There is none any more, which the mesh does not know. If this fails the mesh will look for it once more.
+    /// Makes the mesh forget that it had removed elements, as it has none any more. If memory runs out, the mesh will
+    /// look for them once more.
     void forget_garbage() noexcept
     {
         try {
@@ -192,7 +195,7 @@ private:
     bool had_garbage_, is_committed_ = false;
     in_place::staged_places old_;
     in_place::element_joiner joiner_;
-    std::vector<std::uint32_t> numbers_; ///< of the vertices
+    std::vector<std::uint32_t> numbers_; ///< final indices of the vertices
     std::vector<vertex> handles_, removed_;
     std::size_t bound_ = 0;
     typename mesh::template Property_map<face, bool> odd_;
@@ -201,7 +204,7 @@ private:
     std::array<std::string, 3> maps_of_garbage_{"v:garbage-collection", "h:garbage-collection", "f:garbage-collection"};
 };
 
-/// Same as the above, but without values. Cost: O(elements).
+/// Overwrites a Surface_mesh with these elements, without values of property maps. Cost: O(elements).
 template <class Point>
 auto write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {

@@ -23,8 +23,8 @@
 
 namespace kith::in_place {
 
-/// The properties of a mesh that is about to be overwritten: read, taken along, written. Arguments are by_rule(...) and
-/// value_types<T...>().
+/// The properties of a mesh that is about to be overwritten. The class reads them, has the values that the caller
+/// carries to the last level, and writes these. Arguments are by_rule(...) and value_types<T...>().
 template <mesh_with_properties M, class... Argument>
 class carried_properties {
     using traits = mesh_traits<M>;
@@ -42,21 +42,23 @@ class carried_properties {
     using places = kith::detail::written_places<Handle>;
 
 public:
-    /// Reads the properties; `joined`, unless empty, says which vertices have a face. Cost: O(elements) per property.
+    /// Reads the properties. `joined` has the numbers of the vertices with a face; if it is empty, every vertex has
+    /// one. Cost: O(elements) per property.
     explicit carried_properties(M& mesh, const std::vector<std::uint32_t>& joined = {}, const Argument&... arguments)
         : carried_properties(mesh, kith::detail::unset_values<M>(mesh), joined, arguments...)
     {
     }
 
-    /// To be taken to the last level.
+    /// Returns the values, which the caller carries to the last level.
     [[nodiscard]] values_type& values() { return values_; }
-    /// Returns whether there is anything to write.
+    /// Returns true if there is nothing to write.
     [[nodiscard]] bool empty() const
     {
         return vertices_.empty() and corners_.empty() and edges_.empty() and faces_.empty();
     }
 
-    /// Writes to a mesh that has the elements of the last level, its vertices in this order.
+    /// Writes to a mesh that has the elements of the last level; `vertices` are its vertices in the order of that
+    /// level.
     void write(M& mesh, const std::vector<vertex>& vertices)
     {
         write_to(mesh,
@@ -66,7 +68,8 @@ public:
                  kith::detail::places_in<face>(mesh));
     }
 
-    /// Writes to staged places, which have the values of new elements. Whatever can fail does so here.
+    /// Writes to the staged places, which have the values of new elements. Everything that can fail does so here,
+    /// except the copies that commit() names.
     void stage(M& mesh, const staged_places& at)
     {
         const auto& t = *at.topology;
@@ -90,8 +93,8 @@ public:
         edges_.stage_others(mesh, behind<edge>(at.edges, t.edges()), values_.edge_heirs);
         faces_.stage_others(mesh, behind<face>(at.faces, t.faces), values_.face_heirs);
     }
-    /// Exchanges the values in staged places with those in the final ones. Fails only where copies of values of a type
-    /// that is not named fail, in a library that exchanges these by copies; then the values are exchanged back.
+    /// Exchanges the values in staged places with those in the final ones. Fails only if a copy of a value of an
+    /// unnamed type fails, in a library that exchanges these by copies. All values are then exchanged back.
     void commit(const staged_places& at)
     {
         try {
@@ -103,7 +106,7 @@ public:
         for_each_kind_at(at, [](auto& k, std::size_t size, const auto& of) { k.exchange(size, of); });
     }
 
-    /// Which properties were carried; edges inherit if the scheme tells along which they lie.
+    /// Returns which properties were carried. Edges inherit only if the scheme tells along which old edges they lie.
     [[nodiscard]] property_report report(bool edges_inherit)
     {
         property_report result;
@@ -149,7 +152,7 @@ private:
                            const property_by_rule<On, T, Rule>&)
     {
     }
-    /// Every argument has its lists in `ruled`, in their order.
+    /// Reads the properties that each argument names into its lists in `ruled`, which have the order of the arguments.
     template <std::size_t... I>
     void read_rules(M& mesh, kith::detail::unset_values<M>& unset, std::index_sequence<I...>,
                     const Argument&... arguments)
@@ -246,7 +249,8 @@ private:
         else
             return faces_;
     }
-    /// Calls f(kind, number of elements, function of an element that returns its final and its staged place).
+    /// Calls f(properties on one kind of elements, number of elements, places). places(i) returns the final and the
+    /// staged place of element i.
     template <class F>
     void for_each_kind_at(const staged_places& at, const F& f)
     {
@@ -258,7 +262,7 @@ private:
         f(edges_, t.edges(), [&at](std::size_t i) { return std::array{i, at.edges + i}; });
         f(faces_, t.faces, [&at](std::size_t i) { return std::array{i, at.faces + i}; });
     }
-    /// Calls f(kind, whether all its elements inherit by copies).
+    /// Calls f(properties on one kind of elements, is_whole); is_whole is true if all these elements inherit by copies.
     template <class F>
     void for_each_kind(const F& f)
     {

@@ -12,9 +12,9 @@
 
 namespace kith::in_place {
 
-/// Values that go from level to level by the rules of `carry_properties`, apart from their mesh: those that are
-/// averaged, at vertices and at corners. For all others it has the number, plus one, of the element of the control mesh
-/// from which each element inherits; 0 where there is none.
+/// The values that are carried from level to level by the rules of `carry_properties`, stored apart from their mesh.
+/// Averaged values, at vertices and at corners, are stored themselves. For all others each element has the number, plus
+/// one, of the control-mesh element from which it inherits, or 0 if there is none.
 template <class Number>
 struct carried_values {
     template <class Vertices, class Corners, class Edges, class Faces>
@@ -30,7 +30,7 @@ struct carried_values {
             corner_means.emplace_back(each.values);
     }
 
-    /// Makes them those of the next level; old vertices that do not move keep what they have.
+    /// Takes the values to the next level. If `points_stay`, old vertices keep their averaged values.
     template <finished_step Step>
     void advance(const Step& step, bool points_stay)
     {
@@ -52,7 +52,7 @@ struct carried_values {
     }
 
 #ifdef KITH_HAS_LANES
-    /// Returns true if all of them may go through several steps of a scheme at once.
+    /// Returns true if all fields can be carried through several steps of a scheme at once, in patches.
     template <scheme Scheme>
     [[nodiscard]] bool may_go_in_patches() const
     {
@@ -63,7 +63,7 @@ struct carried_values {
         });
         return result;
     }
-    /// Returns true if all of them can be taken so from this level. Precondition: may_go_in_patches().
+    /// Returns true if all fields can be carried in patches from this level on. Precondition: may_go_in_patches().
     template <scheme Scheme>
     [[nodiscard]] bool can_go(const fields_in_patches<std::uint32_t, Scheme>& in_patches) const
     {
@@ -74,7 +74,7 @@ struct carried_values {
         });
         return result;
     }
-    /// Makes them those of the last level. Precondition: can_go().
+    /// Takes the values to the last level, in patches. Precondition: can_go().
     template <scheme Scheme>
     void go(const fields_in_patches<std::uint32_t, Scheme>& in_patches)
     {
@@ -117,7 +117,7 @@ private:
         f(self.face_heirs);
     }
 
-    /// Without numbers where nothing is inherited.
+    /// Returns the numbers with which elements begin to inherit, or an empty array if nothing is inherited.
     template <class Values>
     static storage<std::uint32_t> heirs_of(const Values& values)
     {
@@ -125,11 +125,11 @@ private:
     }
 };
 
-/// No element, as the one from which another inherits.
+/// The number of no element: an element with this parent inherits nothing.
 inline constexpr std::uint32_t no_element = 0xffffffff;
 
-/// Lets elements inherit that were made without a scheme: element i of `size` has what parent_of(i) had before, if that
-/// is an element.
+/// Sets the inheritance of elements that were made without a scheme. Element i of `size` inherits what parent_of(i) had
+/// before, unless parent_of(i) is no_element.
 template <class Heirs, class ParentOf>
 void inherit_from(Heirs& heirs, std::size_t size, const ParentOf& parent_of)
 {

@@ -11,8 +11,9 @@
 #include <functional>
 #include <optional>
 
-/// How meshes with properties are refined for the dialects, by all schemes; kith::compiled_dialects has it, which is
-/// linked with kith::compiled_cgal and kith::compiled_openmesh and defines KITH_COMPILED_DIALECTS.
+/// Declares or instantiates the refinement in place of meshes with properties, which the dialects use, for one scheme.
+/// The library kith::compiled_dialects has the instances for all schemes. It is linked with kith::compiled_cgal and
+/// kith::compiled_openmesh and defines KITH_COMPILED_DIALECTS.
 #define KITH_REFINE_IN_PLACE(How, Number, Scheme)                                                                      \
     How std::optional<in_place::refined<std::array<Number, 3>>> in_place::refine(                                      \
         in_place::native_mesh<std::array<Number, 3>>,                                                                  \
@@ -21,7 +22,7 @@
         in_place::carried_values<double>&,                                                                             \
         bool,                                                                                                          \
         const std::function<bool(double)>&);
-// Makes what KITH_HOW says of a line of the registry of schemes: an instance, or its declaration.
+// These make an instance of a line of the registry of schemes, or its declaration, as KITH_HOW says.
 #define KITH_DOUBLES_IN_PLACE(type, header, numbers, paper) KITH_REFINE_IN_PLACE(KITH_HOW, double, type)
 #define KITH_FLOATS_IN_PLACE(type, header, numbers, paper) KITH_FLOATS_IF_##numbers(type)
 #define KITH_FLOATS_IF_floats(type) KITH_REFINE_IN_PLACE(KITH_HOW, float, type)

@@ -17,9 +17,9 @@
 
 namespace kith::in_place {
 
-/// Cuts each face into triangles, a fan around its first corner, and hands over what its elements carry: triangles
-/// inherit from their face, sides from the edges they are, corners from the corners they are. Vertices stay.
-/// Cost: O(corners log(corners)).
+/// Cuts each face into a fan of triangles around its first corner, and carries the values of its elements. Triangles
+/// inherit from their face. Sides and corners of triangles inherit from the old edges and corners that they are.
+/// Vertices stay. Cost: O(corners log(corners)).
 template <class Point, class Number>
 void cut_into_triangles(refined<Point>& surface, carried_values<Number>& values)
 {
@@ -53,7 +53,7 @@ void cut_into_triangles(refined<Point>& surface, carried_values<Number>& values)
         const auto found = edges.find(key(t.ends(e)[0], t.ends(e)[1]));
         return found == edges.end() ? no_element : found->second;
     });
-    inherit_from(values.corner_heirs, t.corners(), [&](std::size_t c) { // along the side that leads to it
+    inherit_from(values.corner_heirs, t.corners(), [&](std::size_t c) { // along the side that leads to the corner
         const std::size_t before = c - c % 3 + (c % 3 + 2) % 3;
         const std::size_t face = parents[c / 3];
         const index next = corners[before] + 1 == old.first_corner(face + 1) ? old.first_corner(face)

@@ -12,8 +12,8 @@
 
 namespace kith::in_place {
 
-/// Calls body(begin, end) for all numbers below size, on threads if there is memory for what these need. The body
-/// writes; it may be called twice for a number, to the same effect.
+/// Calls body(begin, end) for ranges of all numbers below `size`, on threads if there is memory for them. Precondition:
+/// calling the body twice for a number has the same effect as calling it once.
 template <class Body>
 void for_parts_surely(std::size_t size, const Body& body) noexcept
 {
@@ -24,8 +24,8 @@ void for_parts_surely(std::size_t size, const Body& body) noexcept
     }
 }
 
-/// Joins the elements of a mesh by connectivity arrays, which must outlive it. The mesh has as many edges and faces as
-/// these and no others; edge i and face i are those with that index, and handle_of(v) is the handle of vertex v.
+/// A class that joins the elements of a mesh by connectivity arrays, which must outlive it. The mesh has as many edges
+/// and faces as the arrays and no others; edge i and face i have index i. handle_of(v) is the handle of vertex v.
 class element_joiner {
     using index = std::uint32_t;
 
@@ -44,7 +44,7 @@ public:
             }
     }
 
-    /// Precondition: no elements are joined. Cost: O(elements).
+    /// Joins the elements. Precondition: no elements of the mesh are joined yet. Cost: O(elements).
     template <class Traits, class M, class HandleOf>
     void join(M& mesh, const HandleOf& handle_of) const noexcept
     {
@@ -78,7 +78,7 @@ public:
 private:
     const connectivity<index>* t_;
     std::vector<index> outer_;   ///< the sides without a face
-    std::vector<index> leaving_; ///< the one that leaves a vertex
+    std::vector<index> leaving_; ///< by vertex, the side without a face that leaves it
 };
 
 } // namespace kith::in_place

@@ -8,7 +8,7 @@
 
 namespace kith::in_place {
 
-/// The properties of a mesh that has none with names.
+/// The properties of a mesh without named properties: there are none.
 class no_properties {
 public:
     template <class M, class... Argument>

@@ -17,10 +17,10 @@
 
 namespace kith::in_place {
 
-/// The places of new elements while a mesh still holds the old ones: behind these, by number. When all values are
-/// there they are exchanged with those in the final places.
+/// The places of new elements while a mesh still holds the old ones: behind the old ones, by number. When all values
+/// are written there, they are exchanged with the values in the final places.
 struct staged_places {
-    std::size_t vertices, edges, faces; ///< how many handles the old mesh has
+    std::size_t vertices, edges, faces; ///< counts of handles in the old mesh
     const std::vector<std::uint32_t>* final_vertices;
     const connectivity<std::uint32_t>* topology;
 };
@@ -37,7 +37,7 @@ struct properties_on {
     {
     }
 
-    /// Finds the properties of types that are not named, and names that stand for several.
+    /// Finds the properties whose types are not named, and the names that several properties share.
     void read_others(M& mesh)
     {
         std::vector<kith::detail::known_property> all = known.found();
@@ -60,7 +60,7 @@ struct properties_on {
         for (std::string& name : names)
             left_out.push_back({std::move(name), why});
     }
-    /// Returns whether a property goes by a rule.
+    /// Returns true if a property is carried by a rule of the caller.
     [[nodiscard]] bool has_rule(const std::string& name, std::type_index type) const
     {
         return std::ranges::any_of(by_rule, [&](const auto& each) { return each.name == name and each.type == type; });
@@ -73,7 +73,8 @@ struct properties_on {
         for (std::size_t i = 0; i < means.size(); ++i)
             swaps.push_back(known.write_mean(mesh, known.means()[i], to, means[i].values()));
     }
-    /// Elements of schemes that do not tell what they inherit inherit nothing.
+    /// Writes the values that elements inherit. If `heirs` is empty, the scheme does not tell from which elements new
+    /// ones come, and they inherit nothing.
     template <class Heirs>
     void write_heirs(M& mesh, const places& to, const Heirs& heirs)
     {
@@ -95,8 +96,8 @@ struct properties_on {
                               traits::index(mesh, known.handles()[heirs[i] - 1]),
                               traits::index(mesh, to.elements[i]));
     }
-    /// Exchanges the values of two places for each number below size, in ascending order: a final place may be the
-    /// staged one of an element before.
+    /// Exchanges the values of two places for each number below `size`. The order is ascending, because a final place
+    /// may be the staged place of an earlier element.
     template <class PlacesOf>
     void exchange(std::size_t size, const PlacesOf& places_of) noexcept
     {
@@ -105,7 +106,8 @@ struct properties_on {
                 if (const auto [a, b] = places_of(i); a != b)
                     each->swap(a, b);
     }
-    /// The same for values of types that are not named, which may fail where a library exchanges them by copies.
+    /// Exchanges values like exchange(), but of types that are not named. May fail in a library that exchanges them by
+    /// copies.
     template <class PlacesOf>
     void exchange_others(std::size_t size, const PlacesOf& places_of)
     {
@@ -114,7 +116,7 @@ struct properties_on {
                 if (const auto [a, b] = places_of(i); a != b)
                     each.swap(each.array, a, b);
     }
-    /// Takes exchange_others() back as far as it came; values whose copies fail once more stay where they are.
+    /// Undoes exchange_others() as far as it came. Values whose copies fail again stay where they are.
     template <class PlacesOf>
     void exchange_others_back(std::size_t size, const PlacesOf& places_of) noexcept
     {
@@ -127,8 +129,8 @@ struct properties_on {
                 }
     }
 
-    /// Adds these properties to a report. Values of types that are not named are carried as a whole where elements only
-    /// inherit.
+    /// Adds these properties to a report. Values of types that are not named are carried completely only where elements
+    /// do nothing but inherit.
     void tell(property_report& report, bool is_carried, bool only_inherits) const
     {
         const auto tell_one = [&](const std::string& name, bool is_known, const char* why) {

@@ -13,14 +13,15 @@
 
 namespace kith {
 
-/// Names types of values that kith does not know by itself, for the dialects: properties of these types go by the usual
-/// rules, averaged where the type has a mean.
+/// An argument of the dialects that names types of values which kith does not know. Properties of these types are
+/// carried by the usual rules: averaged if the type has a mean.
 template <class... T>
 struct value_types {};
 
 namespace in_place {
 
-/// The properties of one type that go by a rule of the user, or by the usual one for types with a mean of their own.
+/// The properties of one value type, carried by a rule of the caller, or by the usual rule if the type has its own
+/// mean.
 template <mesh_with_properties M, class Handle, class T, class Rule>
 class ruled_properties {
     static constexpr field_on where = kith::detail::kind_of_handle<M, Handle>;
@@ -29,7 +30,8 @@ public:
     using handle = Handle;
     using value_type = T;
 
-    /// Reads a property. Returns what its library knows it by; nothing if it is not there in this type.
+    /// Reads a property. Returns the name, type and array by which its library knows it, or nothing if no property of
+    /// this type has the name.
     std::vector<kith::detail::known_property> read(const M& mesh, const std::vector<Handle>& handles,
                                                    kith::detail::unset_values<M>& unset, const std::string& name,
                                                    const Rule& rule)
@@ -46,7 +48,7 @@ public:
             array = from.array();
         return {{name, typeid(T), array}};
     }
-    /// Takes the values to the next level; old vertices that do not move keep theirs.
+    /// Takes the values to the next level. If `points_stay`, old vertices keep their values.
     template <finished_step Step>
     void advance(const Step& step, bool points_stay)
     {
@@ -61,7 +63,7 @@ public:
         }
     }
     [[nodiscard]] bool empty() const { return all_.empty(); }
-    /// Writes the values; `swaps` gets how they are exchanged with others.
+    /// Writes the values. Unless `swaps` is null, adds to it the objects that can exchange the values with others.
     void write(M& mesh, const kith::detail::written_places<Handle>& places,
                std::vector<std::unique_ptr<kith::detail::value_exchange>>* swaps) const
     {
@@ -85,7 +87,7 @@ private:
     std::vector<one> all_;
 };
 
-/// Carried values with those that go by rules.
+/// Carried values, together with values that are carried by rules.
 template <class Number, class... Ruled>
 struct values_with_rules : carried_values<Number> {
     using carried_values<Number>::carried_values;
@@ -97,7 +99,7 @@ struct values_with_rules : carried_values<Number> {
         std::apply([&](Ruled&... each) { (each.advance(step, points_stay), ...); }, ruled);
     }
 
-    /// Returns false, since rules of the user know single steps.
+    /// Returns false, since rules of the caller apply to single steps.
     template <scheme Scheme>
     [[nodiscard]] bool may_go_in_patches() const
     {

@@ -23,14 +23,15 @@ namespace kith::in_place {
 template <class Point>
 using native_mesh = basic_mesh<Point, std::uint32_t>;
 
-/// A refinement for a mesh that is overwritten: nothing of it is touched before the last level is there.
+/// A refined mesh that is going to overwrite a mesh of another library. That mesh is not changed before the last level
+/// is complete.
 template <class Point>
 struct refined {
     native_mesh<Point> mesh;
     bool keeps_vertices; ///< the first vertices are those of the control mesh, in their order
 };
 
-/// Returns true if the new vertex of each vertex has its number.
+/// Returns true if the new vertex of each old vertex has the number of the old one.
 template <element_ids Ids>
 bool keeps_vertices(const Ids& ids, std::size_t vertices)
 {
@@ -41,15 +42,15 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
         return false;
 }
 
-/// Values that go along with a refinement in place, such as carried_values, and whether the first vertices are those of
-/// the control mesh. Where points stay, old vertices do not move, as if each had been reset after each step.
+/// Values that are carried through a refinement in place, such as carried_values, and whether the first vertices are
+/// those of the control mesh. If points stay, old vertices do not move, as if each had been reset after each step.
 template <scheme Scheme, class Carried, class AfterStep>
 class carried_in_place {
 public:
     static constexpr bool needs_scheme = true;
 
-    /// after_step(numbering, points) is called with the new points of a step before they are used. If it returns false,
-    /// the refinement stops.
+    /// Takes the values and a function after_step(numbering, points). It is called with the new points of each step
+    /// before they are used. If it returns false, the refinement stops.
     carried_in_place(Carried& values, bool& keeps_vertices, bool points_stay, const AfterStep& after_step)
         : values_(values), keeps_vertices_(keeps_vertices), points_stay_(points_stay), after_step_(after_step)
     {
@@ -106,7 +107,7 @@ private:
 #endif
 };
 
-/// Makes one step, and the scheme and the values those of the next level. change(numbering, points) is called with the
+/// Makes one step, and takes the scheme and the values to the next level. change(numbering, points) is called with the
 /// new points before they are used.
 template <class Point, scheme Scheme, class Carried, class Change>
 void step(refined<Point>& surface, Scheme& scheme, Carried& values, bool points_stay, const Change& change)
@@ -125,7 +126,8 @@ void step(refined<Point>& surface, Scheme& scheme, Carried& values, bool points_
     step(surface, scheme, values, points_stay, [](const auto&, const auto&) {});
 }
 
-/// What a scheme needs before its first step: 4-8 a tri-quad mesh, which it makes of any mesh as `tri_quad` does.
+/// Prepares a mesh for the first step of a scheme. Only 4-8 needs this: any mesh becomes a tri-quad mesh, as by
+/// `tri_quad`.
 template <class Point, scheme Scheme, class Carried>
 void prepare(refined<Point>&, const Scheme&, Carried&)
 {
@@ -151,8 +153,8 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
     }
 }
 
-/// Refuses faces of a mesh that a scheme does not take, by the numbers of its handles; `control` has been lifted from
-/// it. 4-8 takes any. Errors: mesh_error.
+/// Throws mesh_error if the mesh has faces that the scheme does not take, and names them by the numbers of the mesh's
+/// handles. `control` is the native copy of the mesh. The 4-8 scheme takes any faces.
 template <mesh M, class Point, scheme Scheme>
 void require_faces(const M& mesh, const native_mesh<Point>& control, const Scheme& scheme)
 {
@@ -162,8 +164,9 @@ void require_faces(const M& mesh, const native_mesh<Point>& control, const Schem
         });
 }
 
-/// Refines, and makes scheme and values those of the last level. After each level that is made go_on(share of the work)
-/// may say no; then nothing is returned. Where it is a gain the last levels are made at once. Errors: as `refine`.
+/// Refines, and takes the scheme and the values to the last level. go_on(share of the work done) is called after each
+/// level; if it returns false, nothing is returned. If that is faster, the last levels are made at once. Errors: as
+/// `refine`.
 template <class Point, scheme Scheme, class Carried>
 std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme, int levels, Carried& values,
                                      bool points_stay, const std::function<bool(double)>& go_on)

@@ -19,9 +19,10 @@
 
 namespace kith::in_place {
 
-/// Splits the longest edge of a triangle mesh in its middle, with the triangles beside it, until no edge is longer than
-/// a length. Of edges of one length that comes first whose ends have the smaller numbers. Old vertices keep their
-/// numbers. Every vertex remembers its place in a triangle or an edge of the control mesh, by weights.
+/// A class that splits the longest edge of a triangle mesh in its middle, with the triangles beside it, until all edges
+/// are short enough. Of edges of equal length, the edge whose ends have the smaller numbers comes first. Old vertices
+/// keep their numbers. For every vertex the class keeps its place in a triangle or an edge of the control mesh, as
+/// weights.
 template <class Point>
 class long_edge_splitter {
     using index = std::uint32_t;
@@ -29,7 +30,8 @@ class long_edge_splitter {
     static constexpr index none = no_element;
 
 public:
-    /// Precondition: the mesh has triangles only and its edges. Errors: mesh_error unless the length is positive.
+    /// Takes a mesh and the largest length allowed. Precondition: the mesh has triangles only, and its edges. Errors:
+    /// mesh_error unless the length is positive.
     long_edge_splitter(const native_mesh<Point>& control, double length) : control_(&control), most_(length * length)
     {
         if (not(length > 0))
@@ -51,9 +53,10 @@ public:
             push(ends);
     }
 
-    /// Whether an edge is longer than allowed.
+    /// Returns true if an edge is longer than allowed.
     [[nodiscard]] bool has_long_edges() const { return not longest_.empty(); }
-    /// Cost: O(log(edges)) per split. Errors: mesh_error for more vertices than an index numbers.
+    /// Splits edges until none is too long, and returns the mesh. Cost: O(log(edges)) per split. Errors: mesh_error for
+    /// more vertices than an index can number.
     refined<Point> run()
     {
         while (not longest_.empty()) {
@@ -64,8 +67,8 @@ public:
         return {make_mesh(points_, faces_), true};
     }
 
-    /// Gives carried values to the elements of the split mesh: means by the weights of its vertices, all else from the
-    /// parents.
+    /// Carries values to the elements of the split mesh: means by the weights of its vertices, all other values from
+    /// the parents.
     template <class Number>
     void carry(const native_mesh<Point>& fine, carried_values<Number>& values) const
     {
@@ -92,7 +95,7 @@ public:
         inherit_from(values.corner_heirs, t.corners(), [&](std::size_t c) {
             const std::size_t first = c - c % 3;
             const index edge = parent_of(t.corner_vertex[first + (c % 3 + 2) % 3], t.corner_vertex[c]);
-            for (std::size_t i = 0; edge != none and i < 3; ++i) // the corner to which its side leads
+            for (std::size_t i = 0; edge != none and i < 3; ++i) // the corner to which the side on this edge leads
                 if (old.corner_halfedge[3 * parents_[c / 3] + i] / 2 == edge)
                     return index(3 * parents_[c / 3] + (i + 1) % 3);
             return none;
@@ -113,7 +116,7 @@ private:
             return a.length != b.length ? a.length < b.length : a.ends > b.ends;
         }
     };
-    /// Vertices of the control mesh and their weights.
+    /// A place in the control mesh: some of its vertices and their weights.
     using place = std::array<std::pair<index, double>, 3>;
 
     static ends_type key(index a, index b) { return {std::min(a, b), std::max(a, b)}; }
@@ -151,7 +154,7 @@ private:
             if (f == none)
                 continue;
             auto& corners = faces_[f];
-            std::size_t i = 0; // the side from which the edge leaves
+            std::size_t i = 0; // the corner from which the edge leaves
             while ((corners[i] != a and corners[i] != b) or (corners[(i + 1) % 3] != a and corners[(i + 1) % 3] != b))
                 ++i;
             const index from = corners[i], to = corners[(i + 1) % 3], apex = corners[(i + 2) % 3];
@@ -166,7 +169,7 @@ private:
         }
         push(key(a, middle)), push(key(b, middle));
     }
-    /// Both ends lie in one triangle of the control mesh.
+    /// Returns the place in the middle between two places. Precondition: both lie in one triangle of the control mesh.
     static place between(const place& a, const place& b)
     {
         place result{{{none, 0}, {none, 0}, {none, 0}}};

@@ -7,8 +7,8 @@
 
 namespace kith::in_place {
 
-/// Catmull-Clark or Loop where nothing is to move: the linear split, `linear` or `linear_triangles`, with creases that
-/// go along.
+/// A scheme in place of Catmull-Clark or Loop that moves no point: the linear split, `linear` or `linear_triangles`,
+/// which also carries the creases.
 template <scheme Linear>
 struct split_with_creases {
     creases sharpness{};

@@ -16,11 +16,13 @@ namespace kith::openmesh {
 
 // NOLINTBEGIN(readability-identifier-naming): named as OpenMesh's
 
-/// OpenMesh::Subdivider::Uniform::LongestEdgeT: splits the longest edge of a mesh of triangles in its middle until no
-/// edge is longer than set_max_edge_length(). Of edges of one length the one between the smaller vertices comes first.
-/// The number of steps is ignored, as there. Old vertices keep their handles; values of new ones, and of corners, are
-/// linear along the split edges; faces and edges inherit from those they lie in. Normals are made anew.
-/// After an exception the mesh is as it was, also when memory ends, except where OpenMesh makes normals of half-edges.
+/// A subdivider like OpenMesh::Subdivider::Uniform::LongestEdgeT. It splits the longest edge of a triangle mesh in its
+/// middle until no edge is longer than set_max_edge_length(). Of edges of equal length, the edge between the smaller
+/// vertices comes first. As in OpenMesh, the number of steps is ignored. Old vertices keep their handles. Values of new
+/// vertices, and of corners, are linear along the split edges; faces and edges inherit from those in which they lie.
+/// Normals are recomputed.
+/// After an exception, also when memory runs out, the mesh is unchanged, except where OpenMesh computes normals of
+/// half-edges.
 template <subdividable_mesh Mesh, class RealType = float>
 class LongestEdgeT : public OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType> {
     static_assert(std::derived_from<Mesh, OpenMesh::TriConnectivity>,
@@ -36,15 +38,16 @@ public:
     ~LongestEdgeT() override { parent_t::detach(); }
 
     [[nodiscard]] const char* name() const override { return "longest edge"; }
-    /// Infinite unless set: nothing is split.
+    /// Sets the largest length that an edge may have. It is infinite by default: nothing is split.
     void set_max_edge_length(double length) { length_ = length; }
-    /// The properties that the last refinement carried, and those it left out with the reason.
+    /// Returns which properties the last refinement carried, and which it left out, with the reason.
     [[nodiscard]] const property_report& report() const { return report_; }
 
 protected:
     bool prepare(Mesh&) override { return true; }
     bool cleanup(Mesh&) override { return true; }
-    /// Errors: mesh_error with everything that `validate` finds, and for a length that is not above 0.
+    /// Splits the long edges. Errors: mesh_error with everything that `validate` finds, and for a length that is not
+    /// above 0.
     bool subdivide(Mesh& mesh, std::size_t, const bool = true) override
     {
         report_ = {};

@@ -16,7 +16,7 @@
 
 namespace kith {
 
-/// All properties of a mesh, for who overwrites it. Values of any type can be copied.
+/// The access to all properties of a mesh, for callers that overwrite it. Values of any type can be copied.
 template <class Scalar>
 struct property_access<openmesh::kernel_view<Scalar>> : detail::openmesh_properties {
     using mesh = openmesh::kernel_view<Scalar>;
@@ -81,7 +81,7 @@ concept subdividable_mesh = std::derived_from<M, OpenMesh::PolyConnectivity> and
 
 namespace detail {
 
-/// The normals of faces, requested for as long as it lives, where other normals need them.
+/// A guard that requests the normals of faces for its lifetime, if other normals need them.
 template <class Mesh>
 class needed_face_normals {
 public:
@@ -121,8 +121,8 @@ public:
 
     [[nodiscard]] view_type& view() { return view_; }
 
-    /// Gives the mesh these elements with the values that were carried. After an exception it is as it was. Errors:
-    /// those of mesh_writer. Cost: O(elements), and that for each property.
+    /// Overwrites the mesh with these elements and the values that were carried. After an exception the mesh is
+    /// unchanged. Errors: those of mesh_writer. Cost: O(elements), and the same for each property.
     template <class Carried>
     void overwrite(const in_place::refined<point>& fine, Carried& carried)
     {
@@ -138,11 +138,11 @@ public:
             mesh_->set_point(writer.vertex_at(v), typename Mesh::Point(p[0], p[1], p[2]));
         }
     }
-    /// Makes the normals anew that were requested. Precondition: the mesh was overwritten.
+    /// Recomputes the requested normals. Precondition: the mesh was overwritten.
     void make_normals() { mesh_->update_normals(); }
 
 private:
-    /// The points as arrays; copies where the mesh has points of another kind.
+    /// Returns the points as arrays. If the mesh has points of another type, the arrays are in `copies`.
     static const point* points_of(const Mesh& mesh, std::vector<point>& copies)
     {
         if constexpr (std::same_as<typename native_point<typename Mesh::Point>::type, point>) {
@@ -155,7 +155,7 @@ private:
             return copies.data();
         }
     }
-    /// What the traits of most meshes say of elements: nothing.
+    /// Returns the properties of the element data that the traits leave empty, as most traits do.
     static std::vector<const OpenMesh::BaseProperty*> empty_items(const Mesh& mesh)
     {
         std::vector<const OpenMesh::BaseProperty*> result;

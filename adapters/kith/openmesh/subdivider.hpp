@@ -26,14 +26,15 @@
 
 namespace kith::openmesh {
 
-/// A subdivider as OpenMesh's are, and derived from their base class, by any scheme of kith's or of one's own:
-/// attach(mesh), operator()(n), detach(), or operator()(mesh, n), in place. Old vertices keep their handles and come
-/// before the new ones, in schemes that have a vertex for each; edges and faces are others. Attributes, status bits and
-/// properties go along by the rules of `carry_properties`; normals are made anew. Values of types that kith does not
-/// know, such as items of the traits, are copied from the parent on faces, edges and half-edges along old ones; old
-/// vertices keep theirs. A mesh without faces stays as it is, and so do isolated vertices where old vertices stay.
-/// As with OpenMesh the steps of sqrt(3) are counted from attach() on.
-/// After an exception the mesh is as it was, also when memory ends, except where OpenMesh makes normals of half-edges.
+/// A subdivider with the interface and the base class of OpenMesh's subdividers, by any scheme of kith or of the
+/// caller. It refines in place: attach(mesh), operator()(n), detach(); or operator()(mesh, n). In schemes with a vertex
+/// for each old vertex, old vertices keep their handles and come before the new ones. Edges and faces are replaced.
+/// Attributes, status bits and properties are carried by the rules of `carry_properties`; normals are recomputed.
+/// Values of unknown types, such as items of the traits, are copied from the parent to faces, and to edges and
+/// half-edges along old ones. Old vertices keep such values. A mesh without faces is not changed; isolated vertices
+/// stay if old vertices stay. As in OpenMesh, the steps of sqrt(3) are counted from attach() on.
+/// After an exception, also when memory runs out, the mesh is unchanged, except where OpenMesh computes normals of
+/// half-edges.
 template <subdividable_mesh Mesh, scheme Scheme, class RealType = double>
 class subdivider : public OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType> {
     static constexpr bool fits = needs_triangles<Scheme> or not std::derived_from<Mesh, OpenMesh::TriConnectivity>;
@@ -45,8 +46,8 @@ public:
     using parent_t = OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType>;
     using mesh_t = Mesh;
     using real_t = RealType;
-    /// Is told after each level how much of the work is done, and says whether to go on; if not, the mesh stays as it
-    /// is.
+    /// A function that is called after each level with the share of the work done. If it returns false, the refinement
+    /// stops and the mesh is not changed.
     using progress_function = std::function<bool(double)>;
 
     explicit subdivider(Scheme scheme = Scheme()) : scheme_(std::move(scheme)) {}
@@ -60,15 +61,16 @@ public:
         static const std::string with_end(scheme_name<Scheme>());
         return with_end.c_str();
     }
-    /// Its options, creases among them. Those of an attached mesh become those of the refined one.
+    /// Returns the scheme with its options, among them creases. Refining an attached mesh turns them into those of the
+    /// refined mesh.
     [[nodiscard]] Scheme& scheme() { return scheme_; }
     void on_progress(progress_function progress) { progress_ = std::move(progress); }
-    /// The properties that the last refinement carried, and those it left out with the reason.
+    /// Returns which properties the last refinement carried, and which it left out, with the reason.
     [[nodiscard]] const property_report& report() const { return report_; }
 
-    /// For what follows, until detach(). Returns true.
+    /// Attaches a mesh, which operator()(n) refines until detach(). Returns true.
     bool attach(Mesh& mesh) { return parent_t::attach(mesh); }
-    /// The scheme remains that of the refined mesh.
+    /// Detaches the mesh. The scheme remains that of the refined mesh.
     void detach()
     {
         keeps_scheme_ = true;
@@ -76,11 +78,12 @@ public:
         keeps_scheme_ = false;
     }
 
-    /// Refines the attached mesh n times. Where points are not to be updated, old vertices do not move, on any level.
-    /// Returns false if no mesh is attached or progress said so. Errors: as kith::refine; the mesh is as it was then.
-    /// Except: if memory ends while OpenMesh makes requested normals, which it does last, the mesh is refined already.
+    /// Refines the attached mesh n times. If `update_points` is false, old vertices do not move, on any level. Returns
+    /// false if no mesh is attached or the progress function stopped the refinement. Errors: as kith::refine; the mesh
+    /// is then unchanged. One exception: OpenMesh computes requested normals last; if memory runs out there, the mesh
+    /// is already refined.
     bool operator()(std::size_t n, bool update_points = true) { return parent_t::operator()(n, update_points); }
-    /// The same of another mesh, by a copy of the scheme. More arguments say how properties go:
+    /// Refines another mesh in the same way, by a copy of the scheme. Further arguments set how properties are carried:
     /// kith::by_rule<handle, type>(name, rule), kith::value_types<type...>().
     template <class... Argument>
     bool operator()(Mesh& mesh, std::size_t n, bool update_points = true, const Argument&... arguments)
@@ -90,8 +93,8 @@ public:
     }
 
 protected:
-    // What the base class calls, which does not tell an attached mesh from one that is refined in one call: the first
-    // mesh counts as attached, with its generation and creases.
+    // The base class calls these three. It does not tell an attached mesh from a mesh that is refined in one call: the
+    // first mesh counts as attached, with its generation and creases.
     bool prepare(Mesh& mesh) override
     {
         if (attached_ == nullptr or has_failed_) {
@@ -154,7 +157,7 @@ private:
             throw mesh_error("OpenMesh's meshes cannot hold so many levels; refine fewer times");
         overwritten_mesh<Mesh> whole(mesh);
         auto& all = whole.view();
-        auto control = to_native_valid(all); // before its properties, as it looks whether this is a mesh
+        auto control = to_native_valid(all); // before its properties, as it checks that this is a mesh
         control = {storage<point>(control.points()), control.topology(), generation};
         in_place::require_faces(all, control, used);
         in_place::carried_properties<view, Argument...> carried(all, {}, arguments...);

@@ -44,32 +44,34 @@ using as_kith = subdivider_with<Mesh, RealType, Scheme, own_scheme<Scheme>>;
 
 } // namespace detail
 
-// Named as OpenMesh's, so that it takes one line to go from one to the other. The second argument is that of
-// OpenMesh's base class; numbers are those of the mesh.
+// Named like OpenMesh's classes, so that one changed line takes a program from OpenMesh to kith. The second argument is
+// that of OpenMesh's base class; numbers have the type that the mesh has.
 // NOLINTBEGIN(readability-identifier-naming)
 
-/// OpenMesh::Subdivider::Uniform::LoopT, to the same surface, boundaries included.
+/// The subdivider OpenMesh::Subdivider::Uniform::LoopT, with the same surface, boundaries included.
 template <subdividable_mesh Mesh, class RealType = double>
 using LoopT = detail::as_openmesh<Mesh, RealType, loop>;
 
-/// The same for CatmullClarkT. Where old points are not to be updated it is the linear split, as there.
+/// OpenMesh's CatmullClarkT, with the same surface. If old points are not updated it is the linear split, as in
+/// OpenMesh.
 template <subdividable_mesh Mesh, class RealType = double>
 using CatmullClarkT = detail::as_openmesh<Mesh, RealType, catmull_clark>;
 
-/// The same for Sqrt3T. Unlike there, old points that are not to be updated stay.
+/// OpenMesh's Sqrt3T, with the same surface. Unlike in OpenMesh, old points that are not updated stay.
 template <subdividable_mesh Mesh, class RealType = double>
 using Sqrt3T = detail::as_openmesh<Mesh, RealType, sqrt3>;
 
-/// The same for ModifiedButterflyT.
+/// OpenMesh's ModifiedButterflyT, with the same surface.
 template <subdividable_mesh Mesh, class RealType = double>
 using ModifiedButterflyT = detail::as_openmesh<Mesh, RealType, butterfly>;
 
-/// The same for InterpolatingSqrt3LGT, on closed meshes; others are refused.
+/// OpenMesh's InterpolatingSqrt3LGT, with the same surface, on closed meshes; other meshes are refused.
 template <subdividable_mesh Mesh, class RealType = double>
 using InterpolatingSqrt3LGT = detail::as_openmesh<Mesh, RealType, interpolatory_sqrt3>;
 
-/// The same for MidpointT, on closed meshes; from others, faces are not dropped at the boundary. On a TriMesh each step
-/// cuts its faces into triangles, as there, always in fans around the first corner.
+/// OpenMesh's MidpointT, with the same surface on closed meshes. On other meshes it does not drop faces at the
+/// boundary. On a TriMesh each step cuts the faces into triangles, as in OpenMesh, but always in fans around the first
+/// corner.
 template <subdividable_mesh Mesh, class RealType = double>
 using MidpointT =
     std::conditional_t<std::derived_from<Mesh, OpenMesh::TriConnectivity>, triangulated_midpoints<Mesh, RealType>,
@@ -77,7 +79,7 @@ using MidpointT =
 
 // Schemes that OpenMesh does not have.
 
-/// Doo-Sabin, with the options of kith, as all below.
+/// The Doo-Sabin scheme, with the options of kith, like all schemes below.
 template <subdividable_mesh Mesh, class RealType = double>
 using DooSabinT = detail::as_kith<Mesh, RealType, doo_sabin>;
 
@@ -85,8 +87,8 @@ using DooSabinT = detail::as_kith<Mesh, RealType, doo_sabin>;
 template <subdividable_mesh Mesh, class RealType = double>
 using KobbeltT = detail::as_kith<Mesh, RealType, kobbelt>;
 
-/// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their
-/// first edges, as they do after an earlier call; a TriMesh, too.
+/// The 4-8 scheme of Velho and Zorin. Any mesh, also a TriMesh, is first made a tri-quad mesh, as by `tri_quad`.
+/// Exceptions are meshes whose triangles agree on their first edges, as they do after an earlier call.
 template <subdividable_mesh Mesh, class RealType = double>
 using FourEightT = detail::as_kith<Mesh, RealType, four_eight>;
 

@@ -14,9 +14,10 @@
 
 namespace kith::openmesh {
 
-/// The mid-edge scheme on a mesh of triangles, whose new faces are cut into triangles in each step. As with OpenMesh's
-/// MidpointT no vertex stays, and whether points are to be updated does not matter. Values go as with `subdivider`.
-/// After an exception the mesh is as it was, also when memory ends, except where OpenMesh makes normals of half-edges.
+/// The mid-edge scheme on a triangle mesh; each step cuts the new faces into triangles. As with OpenMesh's MidpointT no
+/// vertex stays, and it does not matter whether points are to be updated. Values are carried as by `subdivider`.
+/// After an exception, also when memory runs out, the mesh is unchanged, except where OpenMesh computes normals of
+/// half-edges.
 template <subdividable_mesh Mesh, class RealType = double>
 class triangulated_midpoints : public OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType> {
 public:
@@ -29,13 +30,13 @@ public:
     ~triangulated_midpoints() override { parent_t::detach(); }
 
     [[nodiscard]] const char* name() const override { return "mid-edge, triangulated"; }
-    /// The properties that the last refinement carried, and those it left out with the reason.
+    /// Returns which properties the last refinement carried, and which it left out, with the reason.
     [[nodiscard]] const property_report& report() const { return report_; }
 
 protected:
     bool prepare(Mesh&) override { return true; }
     bool cleanup(Mesh&) override { return true; }
-    /// Errors: as `subdivider`.
+    /// Refines the mesh n times. Errors: as `subdivider`.
     bool subdivide(Mesh& mesh, std::size_t n, const bool = true) override
     {
         using view = typename overwritten_mesh<Mesh>::view_type;

@@ -13,9 +13,9 @@
 
 namespace kith::openmesh {
 
-/// Overwrites a mesh of OpenMesh in two parts: the constructor does all that can fail, commit() the rest. Without
-/// commit() the mesh is as it was. Vertices keep their handles if they are to; isolated ones stay then, and deleted
-/// ones stay deleted. Edges and faces are numbered from 0 on. Properties get their values from
+/// A writer that overwrites a mesh of OpenMesh in two parts: the constructor does everything that can fail, commit()
+/// the rest. Without commit() the mesh is unchanged. If vertices keep their handles, isolated vertices stay, and
+/// deleted ones stay deleted. Edges and faces are numbered from 0 on. Properties get their values from
 /// `in_place::carried_properties`. Points are not written.
 class mesh_writer {
     using traits = kith::detail::openmesh_connectivity;
@@ -23,8 +23,9 @@ class mesh_writer {
     using vertex = traits::vertex;
 
 public:
-    /// With room for `staged_places`, or not. The arrays must outlive the writer. Errors: mesh_error for more elements
-    /// than OpenMesh can number, and for faces with more corners in a mesh of triangles. Cost: O(elements).
+    /// Makes room for the elements, and for `staged_places` if `stages_values` is true. Precondition: the arrays
+    /// outlive the writer. Errors: mesh_error for more elements than OpenMesh can number, and for other faces than
+    /// triangles in a triangle mesh. Cost: O(elements).
     mesh_writer(kernel& m, bool is_trimesh, const connectivity<std::uint32_t>& t, bool keeps_vertices,
                 bool stages_values)
         : mesh_(&m), t_(&t), old_{m.n_vertices(), m.n_edges(), m.n_faces(), nullptr, &t}, joiner_(t)
@@ -41,7 +42,7 @@ public:
                     numbers_.push_back(std::uint32_t(v));
             }
         const std::size_t joined = numbers_.size();
-        const std::size_t others = keeps_vertices ? old_.vertices - joined : 0; // those that stay without a face
+        const std::size_t others = keeps_vertices ? old_.vertices - joined : 0; // vertices that stay, without a face
         for (std::size_t v = joined; v < t.vertices; ++v)
             numbers_.push_back(std::uint32_t(v + others));
         bound_ = t.vertices + others;
@@ -66,10 +67,10 @@ public:
     }
 
     [[nodiscard]] const in_place::staged_places& places() const { return old_; }
-    /// The handles of the vertices, by number.
+    /// Returns the handle of the vertex with this number.
     [[nodiscard]] vertex vertex_at(std::size_t number) const { return vertex(int(numbers_[number])); }
 
-    /// Precondition: the values are in their final places.
+    /// Joins the elements. Precondition: the values are in their final places.
     void commit() noexcept
     {
         is_committed_ = true;
@@ -90,7 +91,7 @@ private:
     OpenMesh::MPropHandleT<bool> mark_;
     in_place::staged_places old_;
     in_place::element_joiner joiner_;
-    std::vector<std::uint32_t> numbers_; ///< of the vertices
+    std::vector<std::uint32_t> numbers_; ///< final numbers of the vertices
     std::vector<vertex> deleted_;
     std::size_t bound_ = 0;
 };

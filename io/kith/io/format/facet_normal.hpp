@@ -10,8 +10,8 @@
 
 namespace kith::io {
 
-/// The unit normal of a triangle of finite points, (1, 0, 0) where it has none: STL wants a direction. Scaling by
-/// powers of two keeps all products within the range of doubles and changes no bit of what is.
+/// Returns the unit normal of a triangle of finite points, or (1, 0, 0) if it has none, because STL requires a
+/// direction. Scaling by powers of two keeps all products within the range of doubles; it changes no bit of the result.
 inline std::array<double, 3> facet_normal(const std::array<double, 3>& p, const std::array<double, 3>& q,
                                           const std::array<double, 3>& r)
 {

@@ -13,8 +13,8 @@
 
 namespace kith::io {
 
-/// The statements of an OBJ file that name all faces up to the next one of the kind, and what they say, in the order in
-/// which they are written.
+/// The statements of an OBJ file that name all faces up to the next statement of their kind, and the attribute of each.
+/// They have the order in which they are written.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> label_statements{
     {{"o", label_names[0]}, {"g", label_names[1]}, {"usemtl", label_names[2]}, {"s", label_names[3]}}};
 
@@ -22,8 +22,7 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> la
 /// Errors: file_error.
 void read_obj_tag(text_cursor<text_kind::with_continuations>& text, mesh_tags& tags);
 
-/// The lines that read_obj_tag understands as these tags. A sharpness without end is written as 10, as OpenSubdiv has
-/// it.
+/// Returns the lines that read_obj_tag reads as these tags. An infinite sharpness is written as 10, as OpenSubdiv does.
 std::string obj_tag_lines(const mesh_tags& tags);
 
 } // namespace kith::io

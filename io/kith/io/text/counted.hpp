@@ -9,7 +9,7 @@
 
 namespace kith::io {
 
-/// "1 face", "2 faces", "1 vertex", "0 vertices": a number with its noun.
+/// Returns a number with its noun: "1 face", "2 faces", "1 vertex", "0 vertices".
 inline std::string counted(std::uint64_t number, std::string_view noun)
 {
     std::string result = std::to_string(number) + " ";

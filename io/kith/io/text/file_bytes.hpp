@@ -10,7 +10,7 @@
 
 namespace kith::io {
 
-/// All bytes of a file, in memory of this process, which no other process can change.
+/// The bytes of a file, in memory of this process, which no other process can change.
 class file_bytes {
 public:
     /// Reads the file at this path, or standard input for "-". Errors: file_error, which begins with the path.

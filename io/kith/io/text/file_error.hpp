@@ -10,8 +10,9 @@
 
 namespace kith::io {
 
-/// A file that cannot be read, understood or written. Functions on files put the path in front, functions on bytes
-/// begin with the line or the element. The text is printable: names and paths in it cannot upset a terminal.
+/// An error of a file that cannot be read, understood or written. Functions on files begin the text with the path,
+/// functions on bytes with the line or the element. The text is printable: names and paths in it cannot upset a
+/// terminal.
 struct file_error : std::runtime_error {
     explicit file_error(const std::string& text) : std::runtime_error(printable(text)) {}
 };

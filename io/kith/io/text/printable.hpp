@@ -10,10 +10,10 @@ namespace kith::io {
 
 namespace detail {
 
-/// The first character of a text in UTF-8: its code point and bytes.
+/// The first character of a text in UTF-8: its code point and the number of its bytes.
 struct utf8_character {
     char32_t code = 0;
-    std::size_t bytes = 0; ///< 0: the text begins with bytes that are no UTF-8
+    std::size_t bytes = 0; ///< 0: the text begins with bytes that are not UTF-8
 };
 
 inline utf8_character first_character(std::string_view text)
@@ -35,7 +35,7 @@ inline utf8_character first_character(std::string_view text)
     return code < least[bytes] or code > 0x10ffff or is_surrogate ? utf8_character{} : utf8_character{code, bytes};
 }
 
-/// Tests whether a terminal takes the character for a command, or shows the text around it in another order.
+/// Returns true if a terminal takes the character for a command, or shows the text around it in another order.
 inline bool is_command(char32_t code)
 {
     const bool is_control = (code < ' ' and code != '\n' and code != '\t') or (code >= 0x7f and code < 0xa0);
@@ -46,8 +46,8 @@ inline bool is_command(char32_t code)
 
 } // namespace detail
 
-/// Returns a text that can be shown on a terminal: '?' stands for control characters except line ends and tabs, for
-/// characters that turn the direction of text, and for bytes that are no UTF-8. Cost: O(bytes).
+/// Returns a text that can be shown on a terminal. '?' replaces control characters except line ends and tabs,
+/// characters that change the direction of text, and bytes that are not UTF-8. Cost: O(bytes).
 inline std::string printable(std::string_view text)
 {
     std::string result;

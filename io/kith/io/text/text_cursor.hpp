@@ -17,14 +17,14 @@
 
 namespace kith::io {
 
-/// What ends a line or is skipped besides white space.
+/// The kinds of text, by what ends a line or is skipped besides white space.
 enum class text_kind : unsigned char {
     plain,
     with_comments,      ///< from '#' to the end of the line
     with_continuations, ///< comments, and '\' at the end of a line joins the next one to it
 };
 
-/// A word as it can be printed: short, and without bytes that upset a terminal.
+/// Returns a word as it can be printed: at most 40 bytes and "...", with '?' for bytes that are not printable ASCII.
 inline std::string shown(std::string_view word)
 {
     std::string result(word.substr(0, 40));
@@ -34,22 +34,22 @@ inline std::string shown(std::string_view word)
     return result + (word.size() > 40 ? "..." : "");
 }
 
-/// Without the mark that some programs put before text in UTF-8.
+/// Returns the bytes without the byte order mark that some programs put before text in UTF-8.
 inline std::string_view without_byte_order_mark(std::string_view bytes)
 {
     return bytes.substr(bytes.starts_with("\xef\xbb\xbf") ? 3 : 0);
 }
 
-/// The number nearest to these digits, also when it is 0 or infinite, which std::from_chars does not give. Its point is
-/// a point whatever locale the process has.
+/// Returns the number nearest to these digits, also if it is 0 or infinite, which std::from_chars does not return. The
+/// decimal point is a point in every locale of the process.
 inline double nearest_double(const std::string& digits)
 {
     static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", locale_t());
     return ::strtod_l(digits.c_str(), nullptr, plain);
 }
 
-/// Walks over the words of a text in memory, of which it changes nothing. Lines end with LF, CR or CRLF; their numbers
-/// are counted only when there is something to complain about.
+/// A cursor that walks over the words of a text in memory, which it does not change. Lines end with LF, CR or CRLF.
+/// Their numbers are counted only for error messages.
 template <text_kind Kind>
 class text_cursor {
 public:
@@ -58,13 +58,13 @@ public:
     {
     }
 
-    /// Whether nothing but white space and a comment is left on this line; moves there.
+    /// Skips blanks. Returns true if nothing but a comment is left on this line.
     [[nodiscard]] bool at_line_end()
     {
         skip_blanks();
         return at_ == end_ or ends_line(*at_);
     }
-    /// Goes behind the end of this line; false when the text ends there.
+    /// Moves behind the end of this line. Returns false if the text ends there.
     bool next_line()
     {
         skip_line();
@@ -74,7 +74,7 @@ public:
         at_ += *at_ == '\r' and at_ + 1 != end_ and at_[1] == '\n' ? 2 : 1;
         return at_ != end_;
     }
-    /// Goes to the next word, of whatever line; false when there is none.
+    /// Moves to the next word, on this or a later line. Returns false if there is none.
     [[nodiscard]] bool to_content()
     {
         while (at_line_end())
@@ -82,15 +82,16 @@ public:
                 return false;
         return true;
     }
-    /// The next word of this line; empty at its end.
+    /// Returns the next word of this line, or an empty one at its end.
     [[nodiscard]] std::string_view word() { return word_until(ends_line); }
-    /// The same of a name, of which '#' may be a part: a comment begins where a word would.
+    /// Returns the next name of this line, or an empty one at its end. A name may contain '#'; a comment begins only
+    /// where a word would.
     [[nodiscard]] std::string_view name() { return word_until(is_line_break); }
-    /// The next word of this line or of the lines after it; empty at the end of the text.
+    /// Returns the next word of this line or of the lines after it, or an empty one at the end of the text.
     [[nodiscard]] std::string_view word_of_any_line() { return to_content() ? word() : std::string_view(end_, 0); }
 
-    /// A coordinate in this line; `what()` says of which element, in case of a complaint.
-    /// Errors: file_error when there is none, or not a finite one.
+    /// Returns the coordinate that is next in this line; `what()` names its element in error messages. Errors:
+    /// file_error if there is no number, or not a finite one.
     template <std::floating_point Number = double, std::invocable What>
     [[nodiscard]] Number number(const What& what)
     {
@@ -105,7 +106,7 @@ public:
         }
         return Number(unusual_number<Number>(word(), what));
     }
-    /// A number in this line, finite or not. Errors: file_error when there is none.
+    /// Returns the number that is next in this line, finite or not. Errors: file_error if there is none.
     template <std::invocable What>
     [[nodiscard]] double any_number(const What& what)
     {
@@ -117,7 +118,7 @@ public:
             refuse(what() + " should be a number, it is '" + shown(found) + "'");
         return error == std::errc() ? value : nearest_double(digits); // too small or too large
     }
-    /// A whole number in this line. Errors: file_error when there is none or it does not fit.
+    /// Returns the whole number that is next in this line. Errors: file_error if there is none or it does not fit.
     template <std::integral Integer, std::invocable What>
     [[nodiscard]] Integer whole(const What& what)
     {
@@ -132,7 +133,7 @@ public:
         const auto found = word();
         refuse(what() + " should be a whole number, it is '" + shown(found) + "'");
     }
-    /// The same of a word or a part of one.
+    /// Returns the whole number that a word or a part of a word is. Errors: file_error if it is none or does not fit.
     template <std::integral Integer, std::invocable What>
     [[nodiscard]] Integer whole(std::string_view part, const What& what) const
     {
@@ -154,7 +155,7 @@ public:
         while (at_ != end_ and *at_ != '\n' and *at_ != '\r')
             ++at_;
     }
-    /// The line of what was read last.
+    /// Returns the number of the line of the word that was read last.
     [[nodiscard]] std::size_t line() const
     {
         std::size_t result = first_line_;
@@ -166,7 +167,7 @@ public:
     {
         throw file_error("line " + std::to_string(line()) + ": " + what);
     }
-    /// What is missing at the end of this line is complained about there.
+    /// Throws file_error with the number of the current line, for something that is missing at its end.
     [[noreturn]] void refuse_here(const std::string& what)
     {
         last_ = at_;
@@ -187,7 +188,7 @@ private:
         last_ = begin;
         return {begin, std::size_t(at_ - begin)};
     }
-    /// Whether a line is continued here.
+    /// Returns the start of the next line if this line is continued here, else null.
     [[nodiscard]] const char* continuation() const
     {
         if (Kind != text_kind::with_continuations or at_ == end_ or *at_ != '\\')
@@ -215,7 +216,8 @@ private:
     {
         return c == end_ or is_blank(*c) or ends_line(*c) or (Kind == text_kind::with_continuations and *c == '\\');
     }
-    /// A number that is too small or too large, or none.
+    /// Returns the number of a word that number() cannot read directly, such as one that is too small for its type.
+    /// Errors: file_error for a number that is too large, and for a word that is none.
     template <std::floating_point Number, class What>
     [[nodiscard]] Number unusual_number(std::string_view word, const What& what) const
     {

@@ -18,7 +18,7 @@
 
 namespace kith::io {
 
-/// Appends words and numbers to a text.
+/// A text to which words and numbers are appended.
 class text_block {
 public:
     text_block& operator<<(std::string_view text)
@@ -31,7 +31,7 @@ public:
         text_.push_back(c);
         return *this;
     }
-    /// Numbers: floating ones in the shortest digits that read back as the same number.
+    /// Appends a number; a floating-point number in the shortest digits that read back as the same number.
     template <class Number>
         requires(std::is_arithmetic_v<Number> and not std::same_as<Number, char>)
     text_block& operator<<(Number number)
@@ -39,7 +39,7 @@ public:
         return add(number);
     }
     text_block& operator<<(const std::array<double, 3>& p) { return *this << p[0] << ' ' << p[1] << ' ' << p[2]; }
-    /// The bytes of a number as they lie in memory.
+    /// Appends the bytes of a number as they lie in memory.
     template <class Number>
     text_block& raw(Number number)
     {
@@ -63,8 +63,8 @@ private:
     std::string text_;
 };
 
-/// Writes `write(block, i)` for all i below a count, one after the other; blocks of them are made on all threads.
-/// Errors: those of `write`, and of the stream in its state.
+/// Calls write(block, i) for all i below a count, and writes the blocks in this order. Several threads fill blocks at
+/// the same time. Errors: those of `write`, and those of the stream, in its state.
 template <class Write>
 void write_blocks(std::ostream& out, std::size_t count, const Write& write)
 {

@@ -7,12 +7,12 @@
 
 namespace kith::io {
 
-/// How much of a file has been read or written: bytes or elements, for programs that show progress. Any thread may read
-/// the counts. Where several files are read or written at once, the counts are those of any of them.
+/// A counter of the bytes or elements of a file that have been read or written, for programs that show progress. Any
+/// thread may read the counts. If several files are read or written at once, the counts are those of any of them.
 struct work_counter {
     std::atomic<std::uint64_t> done = 0, all = 0;
 
-    /// Begins a file with so much work.
+    /// Begins a file with this amount of work.
     void begin(std::uint64_t work)
     {
         done.store(0, std::memory_order_relaxed);
@@ -20,7 +20,7 @@ struct work_counter {
     }
     void set(std::uint64_t work) { done.store(work, std::memory_order_relaxed); }
     void add(std::uint64_t work) { done.fetch_add(work, std::memory_order_relaxed); }
-    /// The share that is done, 0 to 1.
+    /// Returns the share that is done, 0 to 1.
     [[nodiscard]] double share() const
     {
         const auto whole = double(all.load(std::memory_order_relaxed));
@@ -29,7 +29,7 @@ struct work_counter {
     }
 };
 
-/// Counts for this process.
+/// The counter of this process.
 inline constinit work_counter file_work;
 
 } // namespace kith::io
