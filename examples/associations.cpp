@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The diagrams of the documentation, drawn from the associations of real steps: what each kind of tuple makes, the
-// associations of Catmull-Clark around an extraordinary vertex, a patch, and the ghosts of a tile.
+// Draws the diagrams of the documentation from the associations of real steps: the elements that each kind of tuple
+// makes, Catmull-Clark's associations around an extraordinary vertex, a patch, and the ghosts of a tile.
 // Sample run: associations docs
 
 #include <kith/catmull_clark.hpp>
@@ -27,9 +27,9 @@ using mesh = kith::basic_mesh<point>;
 using kind = kith::tuple_kind;
 
 constexpr const char* old_color = "#c2410c"; // of the tuple
-constexpr const char* new_color = "#0f766e"; // of what it makes
+constexpr const char* new_color = "#0f766e"; // of the elements that it makes
 
-/// Makes a vertex of two opposite vertices of each quad, which do not touch, and four triangles around it.
+/// A scheme: each quad gets a vertex made from two opposite vertices, which share no edge, and four triangles.
 struct diagonals {
     static constexpr auto traits() { return kith::scheme_traits{.name = "diagonals"}; }
     static constexpr auto columns()
@@ -43,7 +43,7 @@ struct diagonals {
         const auto& [coarse, assoc, generation] = r;
         for (const auto v : coarse.vertices())
             assoc(v, V) = v;
-        for (const auto f : coarse.faces()) { // not for_each: what elements that do not touch make has an order
+        for (const auto f : coarse.faces()) { // not for_each: these vertices are numbered in the order of the calls
             const auto a = f.first_corner().v(), b = f.first_corner().next().next().v();
             assoc(a, b, V) = average(a, b);
             for (const auto c : f.corners())
@@ -52,7 +52,7 @@ struct diagonals {
     }
 };
 
-/// A plane grid of n by n quads, or of twice as many triangles, not quite regular.
+/// Makes a plane grid of n by n quads, or of twice as many triangles, with slightly moved vertices.
 mesh grid(int n, bool triangles = false)
 {
     std::vector<point> points;
@@ -73,7 +73,7 @@ mesh grid(int n, bool triangles = false)
     return kith::make_mesh(points, faces);
 }
 
-/// Five quads around a vertex.
+/// Makes five quads around a vertex.
 mesh flower()
 {
     std::vector<point> points{{1.5, 1.5, 0}};
@@ -87,7 +87,7 @@ mesh flower()
     return kith::make_mesh(points, faces);
 }
 
-/// A picture in scalable vectors, of panels of one size.
+/// An SVG picture that consists of panels of equal size.
 class picture {
 public:
     picture(const std::string& file, int columns, int rows) : out_(file)
@@ -100,7 +100,7 @@ public:
     }
     ~picture() { out_ << "</svg>\n"; }
 
-    /// Goes to the next panel; `extent` is the width of what is drawn there.
+    /// Goes to the next panel. `extent` is the width of its drawing in the coordinates of the mesh.
     void panel(int column, int row, double extent, const std::string& title, const std::string& subtitle = {})
     {
         left_ = column * side + 15;
@@ -171,7 +171,7 @@ point middle(const Element& x)
     return {sum[0] / n, sum[1] / n, 0};
 }
 
-/// Draws the old elements of a tuple, as a hierarchy answers for what they have made.
+/// Draws the old elements of a tuple, which a hierarchy returns as the origin of a new element.
 template <class Level, class Birth>
 void draw_tuple(picture& out, const Level& coarse, const Birth& birth)
 {
@@ -182,7 +182,7 @@ void draw_tuple(picture& out, const Level& coarse, const Birth& birth)
             out.dot(coarse.vertices()[v->value].point(), old_color, 6);
 }
 
-/// One step, and of all new elements that a tuple of this kind has made the one nearest to the middle.
+/// Draws one step: of all new elements that a tuple of this kind makes, only the one nearest to the middle.
 template <class Elements, class Scheme>
 void draw_step(picture& out, const mesh& control, const Scheme& scheme, std::optional<kind> tuple, Elements elements_of)
 {
@@ -247,7 +247,7 @@ void draw_tuples(const std::string& file)
     draw("(v,v) → V", "a diagonal", quads, diagonals{}, std::nullopt, vertices);
 }
 
-/// The new vertices that faces, edges and vertices make, with an arrow from each element to its vertex.
+/// Draws the new vertices that faces, edges and vertices make, with an arrow from each old element to its vertex.
 void draw_catmull_clark(const std::string& file)
 {
     picture out(file, 3, 1);
@@ -276,7 +276,7 @@ void draw_catmull_clark(const std::string& file)
     draw(2, "(v) → V", kind::v);
 }
 
-/// What one face makes over three steps.
+/// Draws the descendants of one face over three steps.
 void draw_patch(const std::string& file)
 {
     picture out(file, 4, 1);
@@ -297,7 +297,7 @@ void draw_patch(const std::string& file)
     }
 }
 
-/// The levels of a tile: what it owns, and its ghosts.
+/// Draws the levels of a tile: the faces that it owns, and its ghosts.
 void draw_ghosts(const std::string& file)
 {
     picture out(file, 4, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours, texture coordinates with seams, labels and constrained edges of a CGAL mesh go along by their names.
+// Refines a CGAL mesh. Its colours, texture coordinates with seams, labels and constrained edges are carried by name.
 // Sample run: carry_cgal
 
 #include "dressed_cube_cgal.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours, texture coordinates with seams, labels and marked edges of an OpenMesh go along.
+// Refines a mesh of OpenMesh. Its colours, texture coordinates with seams, labels and marked edges are carried along.
 // Sample run: carry_openmesh
 
 #include "dressed_cube_openmesh.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A CGAL user's own lines, with kith::cgal in place of CGAL::Subdivision_method_3: constrained edges stay sharp,
-// property maps go along, and the user's own mask runs. docs/start/cgal.md.
+// Runs a CGAL user's calls with kith::cgal instead of CGAL::Subdivision_method_3. Constrained edges stay sharp,
+// property maps are carried along, and the user's own mask is called. See docs/start/cgal.md.
 // Sample run: cgal_dialect
 
 #include <kith/cgal_subdivision.hpp>
@@ -21,7 +21,7 @@ using point = kernel::Point_3;
 using mesh = CGAL::Surface_mesh<point>;
 namespace params = CGAL::parameters;
 
-/// A mask as CGAL's PTQ takes it: midpoints, pushed outwards.
+/// A mask in the form that CGAL's PTQ takes: it moves midpoints outwards onto the unit sphere.
 struct inflate {
     const mesh& m;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of curvature: a limit surface of Catmull-Clark, smooth and with creases, in triangles that stay within a
+// Draws the curvature of a limit surface of Catmull-Clark, smooth and with creases, in triangles that stay within a
 // chord error. Colours show the Gaussian curvature: red where the surface is a dome, blue where it is a saddle.
 // Sample run: curvature > docs/curvature.svg
 
@@ -15,7 +15,7 @@
 
 using point = std::array<double, 3>;
 
-/// Returns red, green and blue, 0 to 1: blue for -1, white for 0 and red for 1.
+/// Returns red, green and blue between 0 and 1: blue for the value -1, white for 0 and red for 1.
 std::array<double, 3> color_of(double value)
 {
     const double strength = std::fmin(std::abs(value), 1), weak = 1 - .75 * strength;
@@ -31,7 +31,7 @@ void draw(const kith::basic_mesh<point>& control, const kith::catmull_clark& sch
     for (std::size_t f = 0; f < fine.mesh.face_count(); ++f) {
         double sum = 0, known = 0;
         for (const auto v : fine.mesh.face(f))
-            if (std::isfinite(curvatures[v].gaussian)) { // not at irregular vertices
+            if (std::isfinite(curvatures[v].gaussian)) { // irregular vertices have no curvature
                 sum += curvatures[v].gaussian;
                 ++known;
             }

@@ -14,8 +14,8 @@
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using mesh = CGAL::Surface_mesh<kernel::Point_3>;
 
-/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are
-/// constrained.
+/// Makes a cube with a label and the whole texture on each face, so that all edges are seams. The edges around the top
+/// are constrained.
 inline mesh dressed_cube()
 {
     mesh cube;
@@ -40,7 +40,7 @@ inline mesh dressed_cube()
     return cube;
 }
 
-/// Whether a cube that was refined three times has all of it still, each side the whole texture.
+/// Returns true if a cube that was refined three times still has all values, and the whole texture on each side.
 inline bool is_dressed(mesh smooth)
 {
     const auto label = smooth.add_property_map<mesh::Face_index, std::string>("f:label").first;
@@ -55,10 +55,10 @@ inline bool is_dressed(mesh smooth)
         sharp += constrained[e];
     for (const auto f : smooth.faces())
         on_side_0 += label[f] == "side 0";
-    bool is_mixed = true; // of red and blue
+    bool is_mixed = true; // colours mix red and blue
     for (const auto v : smooth.vertices())
         is_mixed = is_mixed and std::abs(colour[v].red() + colour[v].blue() - 255) <= 1 and colour[v].green() == 0;
-    double area = 0; // of the texture
+    double area = 0; // total area of the texture
     for (const auto f : smooth.faces()) {
         const auto h = smooth.halfedge(f), opposite = smooth.next(smooth.next(h));
         area += kernel::Vector_2(texture[h], texture[opposite]).squared_length() / 2;

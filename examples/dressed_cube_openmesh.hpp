@@ -12,8 +12,8 @@
 
 using mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
-/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are
-/// features.
+/// Makes a cube with a label and the whole texture on each face, so that all edges are seams. The edges around the top
+/// are features.
 inline mesh dressed_cube()
 {
     mesh cube;
@@ -40,7 +40,7 @@ inline mesh dressed_cube()
     return cube;
 }
 
-/// Whether a cube that was refined three times has all of it still, each side the whole texture.
+/// Returns true if a cube that was refined three times still has all values, and the whole texture on each side.
 inline bool is_dressed(mesh smooth)
 {
     const auto label = OpenMesh::getProperty<OpenMesh::FaceHandle, std::string>(smooth, "label");
@@ -49,12 +49,12 @@ inline bool is_dressed(mesh smooth)
     std::size_t features = 0, on_side_0 = 0;
     for (const auto e : smooth.edges())
         features += smooth.status(e).feature();
-    bool is_mixed = true; // of red and blue
+    bool is_mixed = true; // colours mix red and blue
     for (const auto v : smooth.vertices()) {
         const auto& c = smooth.color(v);
         is_mixed = is_mixed and std::abs(c[0] + c[2] - 255) <= 1 and c[1] == 0;
     }
-    double area = 0; // of the texture
+    double area = 0; // total area of the texture
     for (const auto f : smooth.faces()) {
         on_side_0 += label[f] == "side 0";
         const auto across = smooth.texcoord2D(f.halfedge()) - smooth.texcoord2D(f.halfedge().next().next());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dual split in the three ways in which Euler operators can make it (thesis 3.3; Shiue & Peters 2005), as
-// associations: factoring, splitting and tilting. For closed meshes.
+// Writes the dual split as associations, in the three ways in which Euler operators can make it (thesis 3.3; Shiue &
+// Peters 2005): factoring, splitting and tilting. The mesh has to be closed.
 // Sample run: euler_encodings
 
 #include "../tests/support/figures.hpp"
@@ -18,12 +18,12 @@ using namespace kith::targets;
 constexpr auto corners_of = [](const auto& f) { return f.degree(); };
 constexpr auto faces_at = [](const auto& v) { return v.face_count(); };
 
-/// A point for a corner: the mean of its vertex, the middles of its edges and the middle of its face.
+/// The point of a corner: the mean of its vertex, the midpoints of its two edges and the centre of its face.
 constexpr auto corner_point = [](const auto& c) {
     return average(c.v(), average(c.v(), c.next().v()), average(c.f().vertices()), average(c.v(), c.prev().v()));
 };
 
-/// Factoring: two mid-edge steps. An edge of the first one's mesh is a corner (v,f) of the control mesh.
+/// Factoring: two mid-edge steps. Each edge of the first step's mesh is a corner (v,f) of the control mesh.
 struct factoring {
     static constexpr auto columns()
     {
@@ -52,7 +52,7 @@ struct factoring {
     }
 };
 
-/// Splitting, first half: temporary vertices (v,f) around each vertex v, which stays in their middle.
+/// Splitting, first half: makes temporary vertices (v,f) around each vertex v, which stays in the middle.
 struct split_vertices {
     static constexpr auto columns()
     {
@@ -78,7 +78,7 @@ struct split_vertices {
     }
 };
 
-/// Splitting, second half: the first vertices, as many as there were, go, and the faces around each become one.
+/// Splitting, second half: removes the first `count` vertices, and merges the faces around each into one face.
 struct remove_vertices {
     std::size_t count;
 
@@ -117,8 +117,8 @@ struct remove_vertices {
     }
 };
 
-/// Tilting: every edge x -> y carries two vertices, (x, e) in its left face and (y, e) in its right one, and is turned
-/// until it lies across; nothing is temporary.
+/// Tilting: every edge x -> y gets two vertices, (x, e) in its left face and (y, e) in its right one.
+/// The edge turns until it joins them. No element is temporary.
 struct tilting {
     static constexpr auto columns()
     {
@@ -143,7 +143,7 @@ struct tilting {
     }
 };
 
-/// The same mesh with vertex number[v] in place of v.
+/// Returns the mesh with its vertices renumbered: vertex v becomes vertex number[v].
 mesh renumbered(const mesh& m, const std::vector<std::size_t>& number)
 {
     std::vector<mesh::point_type> points(m.vertex_count());
@@ -178,7 +178,7 @@ int main()
         all &= report("splitting, dual split",
                       same(kith::refine(split, remove_vertices{control.vertex_count()}, 1), dual));
 
-        std::vector<std::size_t> corner_of_end; // in which the dual split numbers its vertices
+        std::vector<std::size_t> corner_of_end; // the numbers of the dual split's vertices
         for (const auto corner : control.topology().halfedge_corner)
             corner_of_end.push_back(corner);
         all &= report("tilting, dual split",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the control meshes of the thesis's figures as OBJ files, which `kith refine` reads with their creases.
+// Writes the control meshes of the thesis's figures as OBJ files. `kith refine` reads them with their creases.
 // Sample run: figures FOLDER
 
 #include "../tests/support/figures.hpp"
@@ -26,7 +26,7 @@ bool write(const std::string& file, const figures::shape& shape, const creases& 
             out << ' ' << v + 1;
         out << '\n';
     }
-    for (const auto& [a, b] : sharp) // as OpenSubdiv writes it: from 0, and 10 means for ever
+    for (const auto& [a, b] : sharp) // in OpenSubdiv's form: numbers from 0, and 10 is infinitely sharp
         out << "t crease 2/1/0 " << a << ' ' << b << " 10\n";
     out.close();
     std::printf("%s: %zu vertices, %zu faces\n", file.c_str(), shape.points.size(), shape.faces.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thirty lines of a cluster user with a CGAL mesh: it lies on rank 0 with heat at its vertices, a material on its
-// faces and constrained edges. All levels of all tiles are kept, moved to other ranks, asked where their faces come
-// from, and the last one becomes one file, the same bytes on any number of ranks.
+// Refines a CGAL mesh on a cluster in about thirty lines. Rank 0 has the mesh, with heat at its vertices, a material on
+// its faces and constrained edges. The program keeps all levels of all tiles, moves them to other ranks, and asks from
+// which faces theirs descend. It writes the last level to one file, which has the same bytes on any number of ranks.
 // Sample run: mpirun -n 4 levels_on_ranks fine.vtu
 
 #include <kith/catmull_clark.hpp>
@@ -52,7 +52,7 @@ int main(int count, char** words)
 {
     kith::mpi::session session(count, words);
     kith::mpi::communicator comm(MPI_COMM_WORLD);
-    kith::property_mesh<> cage; // it and what is on it stay empty elsewhere
+    kith::property_mesh<> cage; // the mesh and its values stay empty on all other ranks
     kith::storage<double> heat;
     kith::storage<int> material;
     kith::catmull_clark scheme;
@@ -71,7 +71,7 @@ int main(int count, char** words)
     const auto faces = kith::mpi::owned_faces(comm, kept, 3, refinement.tiles());
     kept = kith::mpi::repartition(comm, std::move(kept), kith::mpi::balanced_ranks(faces, comm.size()), dressed);
     const auto lineage = refinement.lineage();
-    std::size_t others = 0; // faces of any level with another material than that of their ancestor on level 0
+    std::size_t others = 0; // faces on any level whose material differs from that of their ancestor on level 0
     for (const auto& [number, level, tile, its_scheme] : kept)
         for (std::size_t f = 0; f < tile.mesh.face_count(); ++f)
             others += its_scheme.field<1>()[f] !=

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-/// Returns for each vertex of a mesh of triangles or of quads a place at it.
+/// Returns a place at each vertex of a mesh of triangles or of quads.
 inline std::vector<kith::surface_place> places_of_vertices(const kith::basic_mesh<>& m)
 {
     constexpr std::array<std::array<double, 2>, 4> quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -23,13 +23,13 @@ inline std::vector<kith::surface_place> places_of_vertices(const kith::basic_mes
     return result;
 }
 
-/// Returns the control points of the limit surface through the points of a mesh. `limits` has the weights at vertices.
+/// Returns control points whose limit surface interpolates the points of `m`. `limits` has the weights at vertices.
 inline std::vector<std::array<double, 3>> interpolating_control_points(const kith::basic_mesh<>& m,
                                                                        std::span<const kith::stencil_row> limits)
 {
     const auto rows = kith::make_matrix(limits, m.vertex_count());
     std::vector<std::array<double, 3>> control(m.points().begin(), m.points().end());
-    for (double error = 1; error > 1e-13;) { // the eigenvalues of `rows` lie above 0 and up to 1
+    for (double error = 1; error > 1e-13;) { // the eigenvalues of `rows` are above 0 and at most 1
         const auto reached = rows.apply(control);
         double largest = 0, size = 0;
         for (std::size_t v = 0; v < control.size(); ++v)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poisson's equation on a subdivision surface, solved by multigrid: the prolongations are the matrices of the scheme,
-// the coarse operators what they make of the finest one. Discretised by cotangents (Pinkall & Polthier 1993) on the
-// levels of Loop's scheme; as the levels are refined the number of V-cycles stays and the error falls with the square
-// of the width. Sample run: multigrid [plot.svg]
+// Solves Poisson's equation on a subdivision surface by multigrid. The prolongations are the matrices of the scheme;
+// they turn the finest operator into the coarse ones. Cotangents (Pinkall & Polthier 1993) discretise the levels of
+// Loop's scheme. On finer levels the number of V-cycles stays, and the error falls with the square of the mesh width.
+// Sample run: multigrid [plot.svg]
 
 #include "v_cycle.hpp"
 
@@ -24,8 +24,8 @@ using mesh = kith::basic_mesh<>;
 using vector = Eigen::VectorXd;
 using matrix = multigrid::matrix;
 
-/// A bent torus of triangles, none of which is long and thin: each ring is turned against the one before by half an
-/// edge.
+/// Makes a bent torus of triangles. Each ring is turned by half an edge against the ring before, so that no triangle is
+/// long and thin.
 mesh control_mesh()
 {
     constexpr std::size_t around = 20, across = 6;
@@ -46,7 +46,7 @@ mesh control_mesh()
     return kith::make_mesh(points, faces);
 }
 
-/// Stiffness and lumped mass of linear elements on a triangle mesh.
+/// The stiffness matrix and the lumped masses of linear elements on a triangle mesh.
 struct discretisation {
     matrix stiffness;
     vector mass;
@@ -73,7 +73,7 @@ discretisation discretise(const mesh& m)
 }
 
 struct solution {
-    vector values; ///< of mean 0
+    vector values; ///< with mean 0
     int cycles = 0;
 };
 solution solve(const mesh& m, const std::vector<matrix>& prolongations)
@@ -98,7 +98,7 @@ solution solve(const mesh& m, const std::vector<matrix>& prolongations)
     return result;
 }
 
-/// Errors and cycles against the level, as a picture.
+/// Draws errors and numbers of cycles over the level.
 void plot(const char* file, const std::vector<int>& cycles, const std::vector<double>& errors)
 {
     std::ofstream svg(file);
@@ -138,7 +138,7 @@ int main(int count, char** arguments)
 
     std::vector<matrix> prolongations;
     std::vector<int> cycles;
-    std::vector<double> errors; // of the level before, against the next finer one
+    std::vector<double> errors; // of each level, compared with the next finer one
     vector coarser;
     std::printf("level  vertices  V-cycles  largest change to the level before\n");
     for (int level = 1; level <= finest; ++level) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An OpenMesh user's own lines, with kith::openmesh in place of OpenMesh::Subdivider::Uniform: features stay sharp,
-// texture coordinates and properties go along. docs/start/openmesh.md.
+// Runs the usual calls of an OpenMesh user with kith::openmesh instead of OpenMesh::Subdivider::Uniform. Features stay
+// sharp, and texture coordinates and properties are carried along. See docs/start/openmesh.md.
 // Sample run: openmesh_dialect
 
 #include <kith/make_creases.hpp>
@@ -47,7 +47,7 @@ int main()
     }
     std::cout << m.n_faces() << " faces, " << glass << " of glass; " << features << " feature edges\n";
 
-    kith::openmesh::Sqrt3T<mesh>()(m, 2); // without attaching
+    kith::openmesh::Sqrt3T<mesh>()(m, 2); // refines without attach()
     std::cout << m.n_faces() << " faces after two steps of sqrt(3)\n";
     return features == 8 and glass == 64 and seams_kept == 3 * 256 and m.n_faces() == 9 * 256 ? 0 : 1;
 }

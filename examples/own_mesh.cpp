@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh type that kith has never heard of, taught to it in one page, then refined on itself.
+// Teaches kith a new mesh type in one page, then refines meshes of that type directly.
 // Sample run: own_mesh
 
 #include <kith/catmull_clark.hpp>
@@ -9,7 +9,7 @@
 #include <ranges>
 #include <vector>
 
-/// Somebody's plane mesh: half-edges in pairs, faces as numbers, -1 for "none".
+/// A user's plane mesh: half-edges are stored in pairs, faces are numbers, and -1 means "none".
 namespace atlas {
 
 struct position {
@@ -20,9 +20,9 @@ struct halfedge {
 };
 struct map {
     std::vector<position> places;
-    std::vector<int> way_out;      // per place: a half-edge that leaves it
+    std::vector<int> way_out;      // for each place: a half-edge that leaves it
     std::vector<halfedge> borders; // half-edges 2i and 2i+1 run along border i
-    std::vector<int> around;       // per land: a half-edge of it
+    std::vector<int> around;       // for each land: a half-edge of it
 };
 
 } // namespace atlas
@@ -35,7 +35,7 @@ struct kith::affine<atlas::position> : kith::coordinates_affine<float, 2> {
 
 template <>
 struct kith::mesh_traits<atlas::map> {
-    // The kinds are plain numbers there; kith wants a type for each.
+    // The map uses plain numbers for all kinds of elements; kith needs a different type for each kind.
     using vertex = kith::element_id<struct place_kind, unsigned>;
     using edge = kith::element_id<struct border_kind, unsigned>;
     using face = kith::element_id<struct land_kind, unsigned>;
@@ -73,7 +73,7 @@ struct kith::mesh_traits<atlas::map> {
     static bool is_isolated(const atlas::map& m, vertex v) { return m.way_out[v.value] < 0; }
     static point point_of(const atlas::map& m, vertex v) { return m.places[v.value]; }
 
-    /// The native mesh numbers half-edges in pairs, too, so this is one pass over its corners.
+    /// Builds the map in one pass over the corners, since the native mesh stores half-edges in pairs, too.
     static atlas::map build(kith::basic_mesh<point, std::uint32_t>&& fine)
     {
         const auto& t = fine.topology();
@@ -89,11 +89,11 @@ struct kith::mesh_traits<atlas::map> {
                 m.borders[t.corner_halfedge[c]] = {int(t.corner_vertex[c]), next, prev, int(f)};
             }
         }
-        for (std::size_t h = 1; h < m.borders.size(); h += 2) // nothing lies beyond a coast: its far side has no face
+        for (std::size_t h = 1; h < m.borders.size(); h += 2) // the far side of a coast has no face
             if (m.borders[h].face < 0)
                 m.borders[h].from = m.borders[std::size_t(m.borders[h - 1].next)].from;
         for (std::size_t h = 1; h < m.borders.size(); h += 2)
-            if (m.borders[h].face < 0) { // but leads on along it: clockwise round the place at its end
+            if (m.borders[h].face < 0) { // its next half-edge runs on along the coast: turn clockwise around its end
                 int onward = int(h - 1);
                 while (onward % 2 == 0 or m.borders[std::size_t(onward)].face >= 0)
                     onward = m.borders[std::size_t(onward)].prev ^ 1;
@@ -111,9 +111,9 @@ int main()
     const std::vector<std::vector<int>> lands{{0, 1, 4, 3}, {1, 2, 5, 4}};
     const auto coarse = kith::mesh_traits<atlas::map>::build(kith::make_mesh(places, lands));
 
-    kith::hierarchy<atlas::map, kith::catmull_clark> levels(coarse); // walks on atlas::map itself
+    kith::hierarchy<atlas::map, kith::catmull_clark> levels(coarse); // kith walks on atlas::map itself
     levels.refine(3);
-    const atlas::map once = kith::refine(coarse, kith::catmull_clark{}, 3); // native inside, built once
+    const atlas::map once = kith::refine(coarse, kith::catmull_clark{}, 3); // native levels inside, one map at the end
     const atlas::map& finest = levels.finest();
 
     bool same = once.places.size() == finest.places.size();

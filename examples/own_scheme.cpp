@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two schemes of one's own, each at once on the native mesh, on CGAL::Surface_mesh and on OpenMesh.
+// Defines two schemes and runs each on the native mesh, on CGAL::Surface_mesh and on OpenMesh without further code.
 // Sample run: own_scheme
 
 #include <kith/cgal.hpp>
@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <vector>
 
-/// Every corner becomes a quad and nothing is smoothed.
+/// A scheme that makes a quad from every corner and smooths nothing.
 struct linear_split {
     static constexpr auto traits() { return kith::scheme_traits{.name = "linear-split"}; }
     static constexpr auto columns()
@@ -35,7 +35,7 @@ struct linear_split {
     }
 };
 
-/// The edge midpoints of every face and around every vertex: the simplest scheme there is. Peters & Reif 1997.
+/// The simplest scheme: joins the edge midpoints in every face and around every vertex. Peters & Reif 1997.
 struct mid_edge {
     static constexpr auto columns()
     {
@@ -66,7 +66,7 @@ Mesh cube()
     return traits::build(kith::make_mesh(points, faces));
 }
 
-/// The points of two levels are the same, as far as a mesh with coordinates of type float can tell.
+/// Returns true if two levels have the same points up to the precision of meshes with float coordinates.
 template <class Level, class OtherLevel>
 bool same_points(const Level& a, const OtherLevel& b)
 {
@@ -82,7 +82,7 @@ bool try_on(const char* mesh_name, const char* scheme_name, std::size_t vertices
 {
     const Mesh control = cube<Mesh>();
     const kith::basic_mesh<> native_control = cube<kith::basic_mesh<>>();
-    kith::hierarchy<Mesh, Scheme> levels(control); // every level on the user's own mesh
+    kith::hierarchy<Mesh, Scheme> levels(control); // every level is a mesh of the user's type
     levels.refine(2);
     kith::hierarchy<kith::basic_mesh<>, Scheme> native_levels(native_control);
     native_levels.refine(2);

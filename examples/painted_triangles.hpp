@@ -10,12 +10,12 @@
 #include <cstdio>
 #include <vector>
 
-/// Pictures of surfaces that lie about (0.8, 0.8, 0.5), seen from one side, in SVG.
+/// Functions for SVG pictures of surfaces around the point (0.8, 0.8, 0.5), seen from one side.
 namespace painting {
 
 using point = std::array<double, 3>;
 
-/// Returns a point turned towards the reader: right, up and out of the page.
+/// Returns a point in the coordinates of the picture: right, up and out of the page.
 inline point turn(const point& p)
 {
     const double x = p[0] - 0.8, y = p[1] - 0.8, z = p[2] - 0.5;
@@ -23,11 +23,11 @@ inline point turn(const point& p)
     return {right, 0.87 * z + 0.5 * away, 0.87 * -away + 0.5 * z};
 }
 
-/// Triangles that are painted one over the other, those behind first.
+/// A list of triangles that are painted from back to front.
 class triangles {
 public:
-    /// Adds a triangle of a tessellation in a colour of red, green and blue, 0 to 1, that is darker where there is less
-    /// light. Leaves it out if it is seen from behind.
+    /// Adds a triangle of a tessellation. `color` is red, green and blue between 0 and 1; less light makes the triangle
+    /// darker. A triangle that is seen from behind is left out.
     void add(const kith::tessellation<point>& from, std::size_t face, const std::array<double, 3>& color)
     {
         triangle made{};
@@ -47,7 +47,7 @@ public:
             made.color[i] = unsigned(color[i] * shade);
         all_.push_back(made);
     }
-    /// Prints all of them so far to the right.
+    /// Prints all triangles, moved to the right by `left`.
     void print(double left)
     {
         std::ranges::sort(all_, {}, &triangle::depth); // the painter's algorithm
@@ -69,7 +69,7 @@ private:
     std::vector<triangle> all_;
 };
 
-/// Prints the begin of a picture, in which lines have this style of SVG.
+/// Prints the beginning of a picture; `lines` is the SVG style of its lines.
 inline void begin(int width, int height, const char* lines)
 {
     std::printf("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %d %d'>\n<style>path{fill:currentColor;"

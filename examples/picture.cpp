@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the README: four schemes, levels 0 to 3, every face in the color of the face of level 0 it came from.
+// Draws the picture of the README: levels 0 to 3 of four schemes. Each face has the color of its ancestor on level 0.
 // Sample run: picture > docs/picture.svg
 
 #include "../tests/support/figures.hpp"
@@ -20,7 +20,7 @@
 using point = std::array<double, 3>;
 using mesh = kith::basic_mesh<point>;
 
-/// Three cubes in an L, as quads or, each quad cut in two, as triangles.
+/// Makes three cubes in an L, of quads or, with each quad cut in two, of triangles.
 mesh l_shape(bool triangles)
 {
     const auto l = figures::cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
@@ -28,7 +28,7 @@ mesh l_shape(bool triangles)
     return kith::make_mesh(shape.points, shape.faces);
 }
 
-/// Turned towards the reader: right, up and out of the page.
+/// Returns a point in the coordinates of the picture: right, up and out of the page.
 point turn(const point& p)
 {
     const double x = p[0] - 0.8, y = p[1] - 0.8, z = p[2] - 0.5;
@@ -36,7 +36,7 @@ point turn(const point& p)
     return {right, 0.87 * z + 0.5 * away, 0.87 * -away + 0.5 * z};
 }
 
-/// The face of level 0 that a face came from through faces alone; those of edges and vertices have none.
+/// Returns the ancestor of a face on level 0, unless an ancestor of the face was made by an edge or a vertex.
 template <class Hierarchy, class Face>
 std::optional<std::size_t> ancestor(const Hierarchy& levels, int level, Face f)
 {

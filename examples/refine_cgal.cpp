@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ten lines of a CGAL user: a mesh in, a finer mesh of the same type out.
+// Refines a CGAL mesh in ten lines: a mesh is read, and a finer mesh of the same type is written.
 // Sample run: refine_cgal cage.off smooth.off     (without arguments: a tetrahedron, nothing written)
 
 #include <kith/catmull_clark.hpp>
@@ -28,7 +28,7 @@ int main(int count, char** words)
     std::cout << smooth.number_of_vertices() << " vertices, " << smooth.number_of_faces() << " faces\n";
     if (count > 2 and not CGAL::IO::write_polygon_mesh(words[2], smooth, CGAL::parameters::stream_precision(17)))
         return 1;
-    if (count == 1) { // by hand, three steps of Catmull-Clark's masks at a vertex of a tetrahedron
+    if (count == 1) { // computed by hand: three steps of Catmull-Clark's masks at a vertex of a tetrahedron
         const double x = 755. / 3888;
         if (CGAL::squared_distance(smooth.point(*smooth.vertices().begin()), point(x, x, x)) > 1e-30)
             return 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The twenty lines of a cluster user: a cage on rank 0, its surface on all ranks, looked at tile by tile, never in one
-// place. The bounding box that is printed, and the checksum, are the same on any number of ranks.
+// Refines a mesh on a cluster in about twenty lines. Rank 0 has the control mesh. All ranks refine its surface tile by
+// tile; no rank holds all of it. The bounding box and the checksum are the same on any number of ranks.
 // Sample run: mpirun -n 4 refine_on_ranks
 
 #include "../tests/support/figures.hpp"
@@ -20,7 +20,7 @@ int main(int count, char** words)
     kith::mpi::session session(count, words);
     kith::mpi::communicator comm(MPI_COMM_WORLD);
 
-    kith::basic_mesh<> cage; // stays empty elsewhere
+    kith::basic_mesh<> cage; // stays empty on all other ranks
     kith::partition parts;
     if (comm.is_root()) {
         const auto torus = figures::torus();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An OpenMesh user keeps all levels, asks who is related to whom, in OpenMesh's own handles, saves them and loads them
-// again. Sample run: refine_openmesh
+// Refines a mesh of OpenMesh and keeps all levels. Asks for relations between their elements by OpenMesh's own handles,
+// then saves the levels and loads them again. Sample run: refine_openmesh
 
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
@@ -24,12 +24,12 @@ int main()
     levels.refine(3);
 
     const OpenMesh::EdgeHandle edge(0);
-    const OpenMesh::VertexHandle child = levels.assoc(0, edge, V); // the vertex of level 1 that edge 0 gave birth to
-    const auto parents = levels.origin(1, child);                  // and back
+    const OpenMesh::VertexHandle child = levels.assoc(0, edge, V); // the vertex of level 1 that edge 0 made
+    const auto parents = levels.origin(1, child);                  // and from the vertex back to the edge
     std::cout << "edge 0 -> vertex " << child << " at " << levels[1].point(child) << ", born of edge " << *parents.e
               << '\n';
 
-    OpenMesh::FaceHandle face(100); // a face of level 3, and the face of level 0 it lies in
+    OpenMesh::FaceHandle face(100); // goes from a face of level 3 up to the face of level 0 that contains it
     for (int level = 3; level > 0; --level)
         face = *levels.origin(level, face).f;
     std::cout << "face 100 of level 3 lies in face " << face << " of level 0\n";

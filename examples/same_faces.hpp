@@ -10,7 +10,7 @@
 
 using mesh = kith::basic_mesh<>;
 
-/// The faces of a mesh, whatever the order of them and where each starts.
+/// Returns the faces of a mesh in a normal form that depends neither on their order nor on their first corners.
 inline std::vector<std::vector<std::size_t>> faces_of(const mesh& m)
 {
     std::vector<std::vector<std::size_t>> result;
@@ -22,7 +22,7 @@ inline std::vector<std::vector<std::size_t>> faces_of(const mesh& m)
     return result;
 }
 
-/// The points of a mesh lie where those of another do.
+/// Returns true if the points of two meshes are equal up to rounding.
 inline bool same_points(const mesh& a, const mesh& b)
 {
     return std::ranges::equal(a.points(), b.points(), [](const auto& p, const auto& q) {
@@ -30,7 +30,7 @@ inline bool same_points(const mesh& a, const mesh& b)
     });
 }
 
-/// Prints whether two routes came to the same mesh.
+/// Prints whether two ways led to the same mesh.
 inline bool report(const char* routes, bool same)
 {
     std::printf("%s: %s\n", routes, same ? "the same mesh" : "DIFFERENT");

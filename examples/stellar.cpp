@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stellar operators (thesis 4.3.3; Velho 2001) as associations: split a face, split an edge, flip an edge. Each
-// step makes a new level, so that what is undone by weld and collapse elsewhere is the level before.
+// Writes the stellar operators (thesis 4.3.3; Velho 2001) as associations: split a face, split an edge, flip an edge.
+// Each step makes a new level. So weld and collapse, which undo a split elsewhere, are a return to the level before.
 // Sample run: stellar
 
 #include "../tests/support/figures.hpp"
@@ -18,7 +18,7 @@
 
 using namespace kith::targets;
 
-/// Face split, 1 to n: every polygon into the quads at its corners. Thesis, figure 4.16.
+/// Face split, 1 to n: cuts every polygon into the quads at its corners. Thesis, figure 4.16.
 struct split_polygons {
     static constexpr auto columns()
     {
@@ -38,7 +38,7 @@ struct split_polygons {
     }
 };
 
-/// Face split of triangles, 1 to 3: a vertex in every face.
+/// Face split of triangles, 1 to 3: makes a vertex in every face.
 struct split_triangles {
     static constexpr auto columns()
     {
@@ -57,7 +57,7 @@ struct split_triangles {
     }
 };
 
-/// Edge split: a vertex on an edge, its triangles in halves; the others stay.
+/// Edge split: makes a vertex on one edge and halves the triangles of the edge. All other triangles stay.
 struct split_edge {
     std::size_t edge;
 
@@ -82,7 +82,7 @@ struct split_edge {
         assoc(split, V) = average(split.org(), split.dst());
         for_each(coarse.faces(), [&](auto f) {
             for (const auto c : f.corners())
-                if (c.next_edge() == split) { // a -> b with apex d
+                if (c.next_edge() == split) { // half-edge a -> b with apex d
                     const auto a = c, b = c.next(), d = c.prev();
                     assoc(a, F) = polygon(assoc(a.v(), V), assoc(split, V), assoc(d.v(), V));
                     assoc(b, F) = polygon(assoc(split, V), assoc(b.v(), V), assoc(d.v(), V));
@@ -93,8 +93,8 @@ struct split_edge {
     }
 };
 
-/// Edge flip: the edges that `chosen` accepts become the other diagonals of their two triangles; an edge that two faces
-/// would share already must not be flipped. At most one chosen edge per triangle, so that all may be flipped at once.
+/// Edge flip: replaces each edge that `chosen` accepts by the other diagonal of its two triangles, which must not be an
+/// edge already. At most one edge per triangle may be chosen, so that all can be flipped at once.
 template <class Chosen>
 struct flip_edges {
     Chosen chosen;
@@ -134,7 +134,7 @@ struct flip_edges {
     }
 };
 
-/// Faces split in three, then the old edges flipped.
+/// Splits each face in three, then flips the old edges. Returns true if this is the sqrt(3) scheme's mesh.
 bool sqrt3_by_splits_and_flips(const mesh& control)
 {
     const std::size_t old = control.vertex_count();
@@ -144,8 +144,8 @@ bool sqrt3_by_splits_and_flips(const mesh& control)
     return faces_of(flipped) == faces_of(kith::refine(control, kith::sqrt3(), 1));
 }
 
-/// Every edge split, one after the other, then each edge flipped that joins an old vertex to a new one without being
-/// half of an old edge.
+/// Splits every edge, one after the other. Then flips each edge that joins an old vertex to a new one and is no half of
+/// an old edge.
 bool triangle_split_by_splits_and_flips(const mesh& control)
 {
     const std::size_t old = control.vertex_count();

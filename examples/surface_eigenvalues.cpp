@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lowest eigenvalues of the Laplace-Beltrami operator on a limit surface of Catmull-Clark through the unit sphere,
-// which has l(l+1) with multiplicity 2l+1. LOBPCG (Knyazev 2001) with a V-cycle of multigrid as its preconditioner: the
-// prolongations are the matrices of the scheme. As the levels are refined the iterations stay and the error falls.
+// Computes the lowest eigenvalues of the Laplace-Beltrami operator on a limit surface of Catmull-Clark through the unit
+// sphere, which has l(l+1) with multiplicity 2l+1. LOBPCG (Knyazev 2001) is preconditioned by a V-cycle of multigrid,
+// whose prolongations are the scheme's matrices. On finer levels the number of iterations stays and the error falls.
 // Sample run: surface_eigenvalues [finest level]
 
 #include "limit_interpolation.hpp"
@@ -42,7 +42,7 @@ mesh cube()
     return kith::make_mesh(points, faces);
 }
 
-/// Integrals of products of basis functions and of their gradients over the limit surface.
+/// The integrals of products of basis functions, and of their gradients, over the limit surface.
 struct discretisation {
     matrix stiffness, mass;
 };
@@ -82,7 +82,7 @@ struct eigenpairs {
 /// Returns the lowest eigenpairs within the space that the columns of a matrix span.
 eigenpairs rayleigh_ritz(const columns& space, const discretisation& d, Eigen::Index count)
 {
-    // First an orthonormal basis of the space, without directions that nearly depend on others.
+    // First makes an orthonormal basis of the space, without directions that nearly depend on others.
     const vector scales = space.colwise().norm().cwiseInverse();
     const columns scaled = space * scales.asDiagonal();
     const columns by_mass = d.mass * scaled;
@@ -104,14 +104,14 @@ struct spectrum {
     vector values;
     int iterations = 0;
 };
-/// Finds the lowest eigenvalues: in each step the best vectors among those so far, their preconditioned residuals and
-/// the last change.
+/// Finds the lowest eigenvalues. Each step takes the best vectors in the span of the current vectors, their
+/// preconditioned residuals and their last change.
 spectrum lowest_eigenvalues(const discretisation& d, const std::vector<matrix>& prolongations, Eigen::Index count)
 {
     const multigrid preconditioner(d.stiffness, prolongations);
-    const Eigen::Index rows = d.stiffness.rows(), block = count + 4; // some more, for those that converge last
+    const Eigen::Index rows = d.stiffness.rows(), block = count + 4; // more columns, as the last converge late
     columns start(rows, block);
-    for (Eigen::Index i = 0; i < rows; ++i) // no structure
+    for (Eigen::Index i = 0; i < rows; ++i) // start vectors without structure
         for (Eigen::Index j = 0; j < block; ++j)
             start(i, j) = std::sin(double((i + 1) * (j + 2)) * 1.6180339887);
     eigenpairs best = rayleigh_ritz(start, d, block);
@@ -140,7 +140,7 @@ spectrum lowest_eigenvalues(const discretisation& d, const std::vector<matrix>& 
 int main(int count, char** words)
 {
     const int finest = count > 1 ? std::atoi(words[1]) : 5;
-    Eigen::setNbThreads(1);    // its matrices are small
+    Eigen::setNbThreads(1);    // the dense matrices are small
     constexpr int degrees = 4; // l = 0, ..., 3
     kith::hierarchy<mesh, kith::catmull_clark> levels(cube());
     levels.refine(finest);

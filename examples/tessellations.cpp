@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of tessellations: a limit surface of Catmull-Clark with creases, in triangles by a large chord error and by
-// a small one; or that of Loop's scheme for a mesh of triangles in a file, by a chord error.
+// Draws tessellations of a limit surface: of Catmull-Clark with creases, in triangles by a large chord error and by a
+// small one; or, if a file is given, of Loop's scheme for its triangle mesh by one chord error.
 // Sample runs: tessellations > docs/tessellations.svg, tessellations hand.off 0.02 > docs/hand.svg
 
 #include "creased_cubes.hpp"
@@ -18,7 +18,7 @@
 
 using point = std::array<double, 3>;
 
-/// Returns the points where the picture shows them: the longest extent upright, 1.7 long.
+/// Returns the points as the picture shows them: the longest extent is upright and has length 1.7.
 std::vector<point> in_view(const std::vector<point>& points)
 {
     point least = points[0], most = points[0];

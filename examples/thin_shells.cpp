@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Thin shells by finite elements on limit surfaces, as Cirak, Ortiz & Schröder (2000) introduced them: the basis
-// functions of Catmull-Clark and of Loop on the shell obstacle course of Belytschko et al. (1985). The program fails
-// unless the displacements of the finest level are as near to those of the literature as they should be.
+// Computes thin shells by finite elements on limit surfaces, as Cirak, Ortiz & Schröder (2000) introduced them. The
+// basis functions are those of Catmull-Clark and of Loop, on the shell obstacle course of Belytschko et al. (1985). The
+// program fails unless the displacements of the finest level are close enough to those of the literature.
 // Sample run: thin_shells [levels, 1 to 5] [plot.svg]
 
 #include "thin_shells/obstacle_course.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 using namespace thin_shells;
 
-/// The displacements of a problem, level by level, as parts of the reference, and the numbers of unknowns.
+/// The displacements of a problem relative to the reference, level by level, and the numbers of unknowns.
 struct course_result {
     std::string problem, scheme;
     std::vector<double> unknowns{}, ratios{};
@@ -53,7 +53,7 @@ void run_course(const char* scheme, int levels, std::vector<course_result>& resu
     run<Scheme>("pinched hemisphere", scheme, pinched_hemisphere<Scheme>, levels, results);
 }
 
-/// Draws displacements over the number of unknowns; Loop's are dashed.
+/// Draws displacements over the number of unknowns; the curves of Loop are dashed.
 void plot(const char* file, const std::vector<course_result>& results)
 {
     std::ofstream svg(file);

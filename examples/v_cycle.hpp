@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-/// V-cycles of multigrid for stiffness matrices, whose null space are the constants. The prolongations come from level
-/// 0 up; the coarse operators follow from them and the finest one.
+/// V-cycles of multigrid for stiffness matrices whose null space is the constants. The prolongations are ordered from
+/// level 0 up; the coarse operators follow from them and the finest operator.
 class multigrid {
 public:
     using matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -43,7 +43,7 @@ private:
         u += p * correction;
         smooth<false>(a, u, b), smooth<true>(a, u, b);
     }
-    /// Gauss & Seidel's, forwards or backwards.
+    /// Smooths by Gauss & Seidel's method, forwards or backwards.
     template <bool Backwards, class Columns>
     static void smooth(const matrix& a, Columns& u, const Columns& b)
     {

@@ -27,7 +27,7 @@ using namespace kith::comparison;
 
 namespace options = boost::program_options;
 
-/// The peers that this program was built with.
+/// A peer that this program was built with.
 struct peer {
     std::string name;
     std::string (*version)();
@@ -66,7 +66,7 @@ std::string all_peers()
     return result;
 }
 
-/// Nothing when --help was asked for, which is then answered.
+/// Parses the command line. Returns no value after printing the help text for --help.
 std::optional<options::variables_map> parse(int count, char** words)
 {
     options::options_description all("Options");
@@ -106,7 +106,7 @@ std::optional<options::variables_map> parse(int count, char** words)
     return values;
 }
 
-/// The numbers of faces to refine to. Errors: options::error for what is none.
+/// Returns the numbers of faces to refine to. Errors: options::error for an entry that is not a number of at least 1.
 std::vector<double> sizes_from(const options::variables_map& values)
 {
     if (not values.count("sizes"))
@@ -141,7 +141,7 @@ course_settings settings_from(const options::variables_map& values)
 void run_all(const options::variables_map& values)
 {
 #if defined(_OPENMP)
-    omp_set_num_threads(1); // no threads in this process: it forks
+    omp_set_num_threads(1); // one thread only: this process forks
 #endif
     auto settings = settings_from(values);
     const auto sizes = sizes_from(values);

@@ -13,7 +13,7 @@ namespace {
 
 using polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 
-/// Surface_mesh, kith, and CGAL's other mesh.
+/// Adds contests between CGAL on Surface_mesh, kith, and CGAL on its other mesh type, Polyhedron_3.
 template <class Scheme>
 void add_cgal_contests(std::vector<contest>& list, const course_settings& settings)
 {
@@ -33,7 +33,8 @@ void add_cgal_contests(std::vector<contest>& list, const course_settings& settin
              {}});
 }
 
-/// CGAL's function, which carries nothing, and kith's of the same name; add_maps(mesh) adds the maps that go along.
+/// Makes a contest between CGAL's function, which carries no property maps, and kith's function of the same name.
+/// add_maps(mesh) adds the property maps that kith carries.
 template <class AddMaps>
 contest in_place(const course& course, const std::string& what, const AddMaps& add_maps)
 {

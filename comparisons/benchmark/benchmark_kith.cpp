@@ -20,7 +20,7 @@ namespace kith::comparison {
 
 namespace {
 
-/// Every scheme, the last level with all of its connectivity and without its edges.
+/// Adds a contest per control mesh for one scheme: the last level with all connectivity, and with face lists only.
 template <class Scheme>
 void add_scheme(std::vector<contest>& list, const Scheme& scheme, const course_settings& settings)
 {
@@ -34,7 +34,8 @@ void add_scheme(std::vector<contest>& list, const Scheme& scheme, const course_s
     }
 }
 
-/// What a result of Catmull-Clark is made of, written to fresh memory: no refinement can be faster than this.
+/// Writes the arrays of a Catmull-Clark result, points and corners, to fresh memory. No refinement can be faster than
+/// this.
 std::shared_ptr<const void> write_result(std::uint64_t faces)
 {
     struct result {
@@ -59,7 +60,7 @@ void add_floor(std::vector<contest>& list, const course& course)
                          "kith, native, faces only", course.control, catmull_clark{}, course.levels, connect::faces)}});
 }
 
-/// One edge in a hundred of a control mesh with some thousand edges is infinitely sharp.
+/// Adds a contest on a control mesh with some thousand edges, of which one in a hundred is infinitely sharp.
 void add_creases(std::vector<contest>& list, const course& course)
 {
     constexpr int before = 3;
@@ -96,7 +97,7 @@ void add_threads(std::vector<contest>& list, const Scheme& scheme, const course&
 
 using levels_in_memory = hierarchy<basic_mesh<>, catmull_clark>;
 
-/// All tiles, one after the other; what is returned is the number of their faces.
+/// Makes a contestant that refines all tiles one after the other. Its result is the total number of their faces.
 contestant in_tiles(const course& course, std::size_t tiles)
 {
     return caller("in " + std::to_string(tiles) + " tiles, faces only", [=] {

@@ -13,8 +13,8 @@ namespace {
 using polygons = openmesh_peer<OpenMesh::PolyMesh_ArrayKernelT<openmesh_doubles>>;
 using triangles = openmesh_peer<OpenMesh::TriMesh_ArrayKernelT<openmesh_doubles>>;
 
-/// OpenMesh's subdivider, which carries nothing, and kith's of the same name; add_properties(mesh) adds what goes
-/// along.
+/// Makes a contest between OpenMesh's subdivider, which carries no properties, and kith's subdivider of the same name.
+/// add_properties(mesh) adds the properties that kith carries.
 template <class AddProperties>
 contest in_place(const course& course, const std::string& what, const AddProperties& add_properties)
 {

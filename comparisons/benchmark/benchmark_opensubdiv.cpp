@@ -15,7 +15,7 @@ namespace kith::comparison {
 
 namespace {
 
-/// Topology of all levels and the points of the last one.
+/// The topology of all levels and the points of the last one.
 template <class Real>
 struct refined {
     opensubdiv_peer::mesh topology;
@@ -57,7 +57,8 @@ contest make_contest(const course& course, const Scheme& scheme, bool full)
                                full ? connect::everything : connect::faces)}};
 }
 
-/// The points of the last level for control points that have moved, and what refining again would cost.
+/// Makes a contest that evaluates the points of the last level for moved control points. One contestant refines again,
+/// for comparison.
 template <class Scheme>
 contest make_evaluation_contest(const course& course, const Scheme& scheme)
 {
@@ -86,7 +87,8 @@ contest make_evaluation_contest(const course& course, const Scheme& scheme)
          native_contestant("kith, refined again, faces only", course.control, scheme, course.levels, connect::faces)}};
 }
 
-/// The limit surface at the vertices of the last level, which is there already: positions, and tangents or normals.
+/// Makes a contest that evaluates the limit surface at the vertices of the last level: positions, and tangents or
+/// normals. The last level is made before the clock starts.
 template <class Scheme>
 contest make_limit_contest(const course& course, const Scheme& scheme)
 {
@@ -113,7 +115,7 @@ contest make_limit_contest(const course& course, const Scheme& scheme)
              {"kith, positions and normals", ours, {}}}};
 }
 
-/// The limit surface at the vertices of the last level, for control points that have moved.
+/// Makes a contest that evaluates the limit surface at the vertices of the last level for moved control points.
 template <class Scheme>
 contest make_limit_evaluation_contest(const course& course, const Scheme& scheme)
 {

@@ -39,7 +39,7 @@ namespace options = boost::program_options;
 
 using point = std::array<double, 3>;
 
-/// Seconds of one run, and the points that it made.
+/// The times of one run in seconds, and the points that the run made.
 struct times {
     double set_up, locate, first, points, moved;
     std::vector<point> made{};
@@ -49,7 +49,7 @@ struct tessellation_times {
     double all = 0;
     std::size_t triangles = 0;
 };
-/// Choices of the caller.
+/// The settings that the command line chooses.
 struct settings {
     std::size_t places = 1'000'000, triangles = 1'000'000;
     int repeats = 5;
@@ -82,12 +82,12 @@ times run_kith(const basic_mesh<>& mesh, const Scheme& scheme, const std::vector
     result.locate = seconds([&] { at = surface->locate(places); });
     result.first = seconds([&] { values = at.evaluate(mesh.points(), kith::derivatives::first); });
     result.points = seconds([&] { static_cast<void>(at.evaluate(mesh.points())); });
-    result.moved = result.first; // what is kept are places; all values are made again
+    result.moved = result.first; // only places are kept, so all values are computed again
     result.made.assign(values.points.begin(), values.points.end());
     return result;
 }
-/// Times a peer. make() returns it; evaluate(peer, i, outputs) evaluates place i, with first derivatives if there are
-/// three outputs.
+/// Times a peer. make() returns the peer; evaluate(peer, i, outputs) evaluates place i, with first derivatives if there
+/// are three outputs.
 template <class Make, class Evaluate>
 times run_peer(const basic_mesh<>& mesh, std::size_t count, const Make& make, const Evaluate& evaluate)
 {
@@ -136,7 +136,7 @@ times run_far(const basic_mesh<>& mesh, const Scheme& scheme, const std::vector<
         peer.evaluate(places[i], to);
     });
 }
-/// Returns the largest distance between points of the same places.
+/// Returns the largest distance between the points of `a` and `b` at the same place.
 double largest_distance(const std::vector<point>& a, const std::vector<point>& b)
 {
     double largest = 0;
@@ -170,18 +170,18 @@ void contest(const std::string& name, const basic_mesh<>& mesh, const Scheme& sc
     print("Far", far);
 }
 
-/// Times tessellation by the same segments of all edges.
+/// Times tessellation into the same number of segments on all edges.
 template <class Scheme>
 void contest_tessellations(const std::string& name, const basic_mesh<>& mesh, const Scheme& scheme,
                            const settings& chosen)
 {
-    double triangles = 0; // of one segment
+    double triangles = 0; // for one segment per edge
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         triangles += mesh.face(f).size() == 3 and not kith::detail::has_quad_parameters<Scheme>
                          ? 1
                          : double(mesh.face(f).size()) / 2;
     const double halves = std::sqrt(double(chosen.triangles) / triangles) / 2;
-    const std::size_t segments = 2 * std::size_t(std::max(1., std::round(halves))); // polygons halve their edges
+    const std::size_t segments = 2 * std::size_t(std::max(1., std::round(halves))); // polygons need an even number
     std::vector<tessellation_times> ours, theirs;
     const auto refiner = opensubdiv_peer::make(mesh, scheme);
     for (int i = 0; i < chosen.repeats; ++i) {

@@ -16,13 +16,13 @@
 
 namespace kith::comparison {
 
-/// Triangles of a limit surface by OpenSubdiv's Bfr, with normals. Faces share the vertices on their edges.
+/// The triangles of a limit surface by OpenSubdiv's Bfr, with normals. Faces share the vertices on their edges.
 class bfr_tessellation {
 public:
     std::vector<std::array<double, 3>> points, normals;
     std::vector<std::array<int, 3>> triangles;
 
-    /// Cuts each edge in so many segments.
+    /// Tessellates with `segments` segments on each edge.
     bfr_tessellation(const opensubdiv_peer::mesh& mesh, std::span<const std::array<double, 3>> control, int segments)
         : segments_(segments)
     {
@@ -77,7 +77,7 @@ private:
         cut.GetFacets(facets);
         cut.TransformFacetCoordIndices(facets, boundary_.data(), first_inside - int(on_boundary));
     }
-    /// Adds a vertex, and returns its number.
+    /// Adds a vertex and returns its number.
     int add(const surface& of_face, const std::array<double, 2>& at)
     {
         std::array<double, 3> point, du, dv;
@@ -93,7 +93,7 @@ private:
     }
 
     int segments_;
-    std::vector<int> at_vertex_, on_edge_, boundary_; // the first number at each, or none; around the face at work
+    std::vector<int> at_vertex_, on_edge_, boundary_; // the first number at each, or none; of the current face
     std::vector<double> patch_;
     std::vector<std::array<double, 2>> parameters_;
 };

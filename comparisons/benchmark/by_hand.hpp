@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <utility>
 
-/// Two schemes as one would write them by hand, once, for one mesh: raw arrays, 32-bit numbers, closed meshes of quads
-/// or of triangles only, no creases, no boundary, no checks. The same order of operations as the schemes of kith, so
-/// the same bits.
+/// Two schemes written by hand for one kind of mesh: raw arrays, 32-bit numbers, closed meshes of quads or of triangles
+/// only, no creases, no boundary, no checks. The order of operations is that of kith's schemes, so the results agree
+/// bit for bit.
 namespace kith::comparison::by_hand {
 
 using point = std::array<double, 3>;
@@ -28,7 +28,7 @@ struct coordinates {
     operator point() const { return {x, y, z}; }
 };
 
-/// The arrays of a new level, as far as they are wanted.
+/// Allocates the arrays of a new level: all of them if `complete`, else the vertices of the faces only.
 inline connectivity<id> allocate(std::size_t vertices, std::size_t edges, std::size_t faces, int degree, bool complete)
 {
     connectivity<id> result;
@@ -44,7 +44,7 @@ inline connectivity<id> allocate(std::size_t vertices, std::size_t edges, std::s
     return result;
 }
 
-/// Calls body(begin, end) on parts of the corners that fit the cache, as kith::in_blocks does.
+/// Calls body(begin, end) on blocks of corners that fit into the cache, as kith::in_blocks does.
 template <class Body>
 void in_blocks(id corners, const Body& body)
 {
@@ -53,7 +53,7 @@ void in_blocks(id corners, const Body& body)
         body(begin, std::min(corners - begin, corners_of_block) + begin);
 }
 
-/// Writes a line of a face: its vertex and, where edges are wanted, the half-edge that leaves it.
+/// Writes one corner of a face: its vertex and, if `Complete`, the half-edge that leaves it.
 template <bool Complete>
 void write_line(connectivity<id>& fine, id corner, id vertex, id halfedge)
 {
@@ -84,7 +84,7 @@ mesh catmull_clark_step(const mesh& coarse)
     }
     auto fine = allocate(points.size(), 2 * std::size_t(edges) + corners, corners, 4, Complete);
     in_blocks(corners, [&](id begin, id end) {
-        for (id c = begin; c < end; ++c) // edges and vertices face by face, which keeps what they read in the cache
+        for (id c = begin; c < end; ++c) // edges and vertices face by face, so that their input stays in the cache
             if (halfedge[c] % 2 == 0)
                 edge_points[halfedge[c] / 2] = 0.25 * (coordinates(p[vertex[c]]) + coordinates(p[vertex[next(c)]]) +
                                                        coordinates(face_points[c / 4]) +
@@ -165,7 +165,7 @@ mesh loop_step(const mesh& coarse, const double* beta)
     return {std::move(points), std::move(fine), coarse.generation() + 1};
 }
 
-/// Steps of a scheme: step(mesh, complete) is one of them.
+/// Refines a control mesh `levels` times; step(mesh, complete) makes one step.
 template <class Step>
 mesh refine(const mesh& control, int levels, bool complete, const Step& step)
 {

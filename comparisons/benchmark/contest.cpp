@@ -24,7 +24,7 @@ namespace kith::comparison {
 
 namespace {
 
-/// A line of /proc/self/status such as "VmHWM:  1234 kB", in bytes.
+/// Returns the value of a line of /proc/self/status such as "VmHWM:  1234 kB", in bytes.
 std::uint64_t memory(std::string_view name)
 {
     std::ifstream status("/proc/self/status");
@@ -38,7 +38,7 @@ std::uint64_t memory(std::string_view name)
     throw std::runtime_error("/proc/self/status does not tell " + std::string(name));
 }
 
-/// Of this process so far, in and out of the kernel.
+/// Returns the processor time of this process so far, in user mode and in the kernel.
 double processor_seconds()
 {
     timespec time{};
@@ -64,14 +64,15 @@ measurement measure(const contestant& contestant)
     auto [result, seconds] = timed(refine);
     measurement run{seconds, 0, processor_seconds() - processor_start, memory("VmHWM:") - before};
     result.reset();
-    refine = nullptr; // those that refine in place hold their result, too
+    refine = nullptr; // contestants that refine in place hold their result in `refine`
     refine = contestant.prepare();
     run.seconds_again = timed(refine).second;
     return run;
 }
 
-/// Has the machine hand out and take back this much memory. A virtual machine may have lent it to others meanwhile, and
-/// getting it back costs many times what a page costs otherwise: the first that needs it would pay for all.
+/// Makes the system hand out this much memory and take it back. A virtual machine may have lent the memory to other
+/// machines; getting it back costs many times as much as an ordinary page. Without this call the first contestant that
+/// needs the memory would pay for it.
 void touch_memory(std::size_t bytes)
 {
     const pid_t child = fork();
@@ -125,7 +126,7 @@ measurement measure_in_child(const contestant& contestant, [[maybe_unused]] int 
 
 void run(contest& contest, int repeats, int threads)
 {
-    constexpr std::size_t most_bytes_per_face = 640; // no peer has more
+    constexpr std::size_t most_bytes_per_face = 640; // no peer needs more
     for (int i = 0; i < repeats; ++i)
         for (auto& contestant : contest.contestants) {
             touch_memory(most_bytes_per_face * contest.faces);

@@ -32,7 +32,7 @@ void draw(std::ostream& out, int y, std::string_view style, int x, std::string_v
     out << "<text class=\"" << style << "\" x=\"" << x << "\" y=\"" << y << "\">" << escaped(text) << "</text>\n";
 }
 
-/// Returns the height that it took.
+/// Draws the bars of one contest from height `y` on. Returns the height that they take.
 int draw(std::ostream& out, int y, const contest& contest)
 {
     double most = 0;

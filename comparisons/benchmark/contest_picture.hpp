@@ -9,9 +9,8 @@
 
 namespace kith::comparison {
 
-/// Draws a bar for the median of each contestant, in nanoseconds per face of the last level, contest by contest, as
-/// SVG.
-/// Errors: io::file_error.
+/// Writes an SVG picture of the contests, one after the other: a bar for the median of each contestant, in nanoseconds
+/// per face of the last level. Errors: io::file_error.
 void write_svg(const std::string& path, const std::map<std::string, std::string>& facts,
                const std::vector<contest>& contests);
 

@@ -32,7 +32,7 @@ double bytes(const measurement& run)
     return double(run.bytes);
 }
 
-/// What stands behind "NAME : " in /proc/cpuinfo, of the first processor.
+/// Returns the text after "NAME : " in /proc/cpuinfo, for the first processor.
 std::string processor(const std::string& name)
 {
     std::ifstream info("/proc/cpuinfo");

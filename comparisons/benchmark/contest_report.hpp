@@ -9,16 +9,17 @@
 
 namespace kith::comparison {
 
-/// Processor, compiler, flags, page size: by name.
+/// Returns facts about the machine by name: processor, compiler, flags, page size.
 std::map<std::string, std::string> machine();
 
 void print(const std::map<std::string, std::string>& facts);
 
-/// A line per contestant: nanoseconds, those of the same work again, and peak bytes per face of the last level,
-/// medians, and how many times as fast as the first one, with the least and the most of any round.
+/// Prints one line per contestant with medians per face of the last level: nanoseconds, nanoseconds of the second run
+/// of the same work, and peak bytes. The speed relative to the first contestant follows, with its least and largest
+/// value over the rounds.
 void print(const contest& contest);
 
-/// All runs of all contests. Errors: io::file_error.
+/// Writes all runs of all contests as JSON. Errors: io::file_error.
 void write_json(const std::string& path, const std::map<std::string, std::string>& facts,
                 const std::vector<contest>& contests);
 

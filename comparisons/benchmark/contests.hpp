@@ -14,8 +14,8 @@
 
 namespace kith::comparison {
 
-// One source file for each peer. The version is told even where there is nothing to run. Doors are the calls by which
-// users of a mesh refine it, with all that goes along.
+// The functions of each peer, one source file per peer. The version is known even if there are no contests. "Doors" are
+// the calls by which users of a mesh type refine it, with all data that is carried.
 std::string cgal_version();
 std::vector<contest> cgal_contests(const course_settings& settings);
 std::vector<contest> cgal_doors(const course_settings& settings);
@@ -28,7 +28,7 @@ std::vector<contest> kith_doors(const course_settings& settings);
 std::string opensubdiv_version();
 std::vector<contest> opensubdiv_contests(const course_settings& settings);
 
-/// A contestant whose work is a call without preparation.
+/// Makes a contestant whose work is one call without preparation.
 template <class Call>
 contestant caller(std::string name, const Call& call)
 {
@@ -36,7 +36,7 @@ contestant caller(std::string name, const Call& call)
         std::move(name), [=]() -> work { return [=] { return std::shared_ptr<const void>(new auto(call())); }; }, {}};
 }
 
-/// kith from a native mesh to a native mesh.
+/// Makes the contestant that refines a native mesh to a native mesh with kith.
 template <class Point, class Scheme>
 contestant native_contestant(std::string name, std::shared_ptr<const basic_mesh<Point>> control, const Scheme& scheme,
                              int levels, connect last_level)
@@ -49,8 +49,9 @@ contestant native_contestant(std::string name, std::shared_ptr<const basic_mesh<
             {}};
 }
 
-/// The peer's own refinement, kith's on meshes of the peer, and kith's on the native mesh: the mesh types of the peers
-/// that refine in place are always complete, so `native` is what compares with them.
+/// Adds contests between the peer's own refinement, kith on meshes of the peer, and kith on the native mesh. The mesh
+/// types of peers that refine in place are always complete, so the contestant "kith, native" is the one to compare with
+/// them.
 template <class Peer, class Scheme>
 void add_contests(std::vector<contest>& list, const course_settings& settings)
 {

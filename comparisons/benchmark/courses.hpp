@@ -16,20 +16,20 @@
 
 namespace kith::comparison {
 
-/// What the benchmark refines, and how far.
+/// The settings of the benchmark: the meshes to refine, and the number of faces to reach.
 struct course_settings {
     double faces_target;
-    bool torus = true, patch = false;              ///< closed and bounded, of quads or triangles
-    std::string mesh_name = {};                    ///< of the mesh of a file
-    std::shared_ptr<const basic_mesh<>> mesh = {}; ///< or none
+    bool torus = true, patch = false;              ///< a closed and a bounded mesh, of quads or triangles
+    std::string mesh_name = {};                    ///< name of the mesh that was read from a file
+    std::shared_ptr<const basic_mesh<>> mesh = {}; ///< mesh that was read from a file, or none
 };
 
-/// A control mesh, refined until it has about as many faces as the settings say.
+/// A control mesh and the number of levels that brings it nearest to the wanted number of faces.
 struct course {
     std::string name;
     std::shared_ptr<const basic_mesh<>> control;
     int levels;
-    std::uint64_t faces; ///< of the last level
+    std::uint64_t faces; ///< on the last level
 };
 
 template <class Scheme>
@@ -45,7 +45,7 @@ course make_course(std::string name, std::shared_ptr<const basic_mesh<>> control
     }
 }
 
-/// A torus without the faces that close it: a bounded mesh.
+/// Makes a bounded mesh: a torus without the faces that close it.
 inline figures::shape patch(std::size_t rows, std::size_t columns)
 {
     figures::shape result = figures::torus(rows, columns);
@@ -54,9 +54,9 @@ inline figures::shape patch(std::size_t rows, std::size_t columns)
     return result;
 }
 
-/// A torus of 12 times 24 quads, or of their triangles, or of 24 times 24 where triangles are cut in four, so that all
-/// come to the same number of faces; the same with a boundary; then the mesh of the file, if the scheme takes it. For
-/// 4-8 all are made tri-quad meshes, quads by their diagonals.
+/// Makes the courses of a scheme: a torus, the same mesh with a boundary, and the mesh of the file if the scheme takes
+/// it. The torus has 12 times 24 quads, cut into triangles for schemes that need them. Loop and butterfly, which
+/// quadruple triangles, get 24 times 24. For 4-8 all meshes become tri-quad meshes.
 template <class Scheme>
 std::vector<course> courses(const Scheme& scheme, const course_settings& settings)
 {

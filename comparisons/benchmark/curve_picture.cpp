@@ -18,15 +18,15 @@ namespace {
 constexpr double left = 60, top = 34, width = 520, height = 300, below = 46, names = 230;
 
 struct point {
-    double faces, first, again; ///< nanoseconds per face
+    double faces, first, again; ///< first and second run, in nanoseconds per face
 };
 using curve = std::vector<point>;
 
-/// Of one scheme: the curves of all contestants, in the order in which they appear.
+/// Returns the curves of all contestants of one scheme, in the order of their first appearance.
 std::vector<std::pair<std::string, curve>> curves_of(const std::string& scheme, const std::vector<contest>& contests)
 {
     std::vector<std::string> order;
-    std::map<std::string, std::map<std::uint64_t, std::vector<measurement>>> runs; // kith's runs beside all peers
+    std::map<std::string, std::map<std::uint64_t, std::vector<measurement>>> runs; // kith has runs beside all peers
     for (const auto& contest : contests)
         if (contest.scheme == scheme)
             for (const auto& contestant : contest.contestants) {
@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, curve>> curves_of(const std::string& scheme, 
     return result;
 }
 
-/// A range of values as a logarithmic axis.
+/// A logarithmic axis over a range of values.
 struct axis {
     double least = 1e300, most = 0, start = 0, length = 0;
 
@@ -57,7 +57,7 @@ struct axis {
     {
         return start + length * std::log(value / least) / std::max(1e-9, std::log(most / least));
     }
-    /// 1, 2, 5, 10, 20, ... as far as they are on it.
+    /// Returns the ticks 1, 2, 5, 10, 20, ... that lie on the axis; only powers of ten on a long axis.
     [[nodiscard]] std::vector<double> ticks() const
     {
         std::vector<double> result;

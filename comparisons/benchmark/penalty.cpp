@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// What the abstraction costs: the text of a scheme against the same scheme by hand on raw arrays.
+/// The cost of the abstraction: kith's schemes against the same schemes written by hand on raw arrays.
 namespace {
 
 using namespace kith::comparison;
@@ -31,8 +31,8 @@ bool same(const by_hand::mesh& a, const by_hand::mesh& b)
            same_bits(s.vertex_corner, t.vertex_corner);
 }
 
-/// The two ways to the last level with all of its connectivity, and to its face lists. Errors: std::logic_error if they
-/// do not lead to the same bits, without which their times say nothing.
+/// Adds the contests of a scheme: to the last level with all connectivity, and with face lists only. Errors:
+/// std::logic_error if both ways do not lead to the same bits, since their times could not be compared then.
 template <class Scheme, class Step>
 void add(std::vector<contest>& list, const Scheme& scheme, double target, const Step& step)
 {

@@ -19,12 +19,12 @@
 
 namespace kith::comparison {
 
-/// Seconds of one run.
+/// The times of one run in seconds.
 struct search_times {
     double set_up, rays, nearest;
 };
 
-/// Times rays and nearest points, for which there is no peer.
+/// Times ray hits and nearest points, for which there is no peer.
 template <class Scheme>
 void time_searches(const std::string& name, const basic_mesh<>& mesh, const Scheme& scheme, int repeats)
 {

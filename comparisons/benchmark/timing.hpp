@@ -7,7 +7,7 @@
 
 namespace kith::comparison {
 
-/// Returns how many seconds a call takes.
+/// Returns the seconds that a call takes.
 template <class F>
 double seconds(const F& f)
 {
@@ -16,7 +16,7 @@ double seconds(const F& f)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Returns the median of one of the times of several runs. Precondition: there is a run.
+/// Returns the median over several runs of one of their times. Precondition: there is at least one run.
 template <class Times>
 double median(const std::vector<Times>& all, double Times::* which)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A job for a cluster, on paper and by sample. A torus of quads is cut into as many parts as there are ranks; what each
-// of them would be sent is made and measured. Then some parts, by lot, are refined alone to the last level by
-// Catmull-Clark and verified: each of their control faces once more in a tile of its own, and once more from a level
-// that was refined as a whole. Numbers, vertices and places have to be the same bit for bit.
+// Simulates a job on a cluster, and checks a sample of it. A torus of quads is cut into one part per rank. The program
+// makes the message for each rank and measures it. Then it picks some parts at random and refines each of them alone to
+// the last level by Catmull-Clark. Each of these parts is verified twice: each of its control faces is refined in a
+// tile of its own, and from a level that was refined as a whole. Numbers, vertices and points must be equal bit for
+// bit.
 // Sample run: virtual_ranks --faces 1000000 --parts 100000 --levels 10 --sample 3
 #include "../../tests/support/figures.hpp"
 
@@ -44,7 +45,7 @@ struct job {
     std::uint32_t seed = 1;
 };
 
-/// Of this process, which other ones do not slow down.
+/// A clock for the processor time of this process; other processes do not slow it down.
 class stopwatch {
 public:
     [[nodiscard]] double seconds() const { return double(std::clock() - start_) / CLOCKS_PER_SEC; }
@@ -53,7 +54,7 @@ private:
     std::clock_t start_ = std::clock();
 };
 
-/// Mean and largest of a figure of all parts.
+/// The mean and the largest value of a quantity over all parts.
 struct statistic {
     double sum = 0, largest = 0;
     std::size_t count = 0;
@@ -78,7 +79,7 @@ void require(bool condition, const std::string& what)
         throw std::runtime_error(what);
 }
 
-/// A torus of about so many quads, none like another.
+/// Makes a torus of about `faces` quads, each of a different shape.
 basic_mesh<> control_mesh(std::size_t faces)
 {
     const auto rows = std::max<std::size_t>(3, std::size_t(std::sqrt(double(faces) / 2)));
@@ -96,7 +97,7 @@ levels_type whole_of(cutter_type& cutter, int levels)
     return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels};
 }
 
-/// What the ranks would be sent, and what they would make of it.
+/// Measures the messages that the ranks would get, and prints the sizes of the levels that they would make.
 void plan_messages(const job& wanted, cutter_type& cutter, const levels_type& whole)
 {
     statistic owned, ghosts, bytes;
@@ -123,7 +124,7 @@ void plan_messages(const job& wanted, cutter_type& cutter, const levels_type& wh
 
 struct refined {
     std::map<global_id, kith::mesh_checksum> checksums; ///< by control face
-    std::uint64_t owned = 0, kept = 0, made = 0;        ///< faces, on all levels but the first
+    std::uint64_t owned = 0, kept = 0, made = 0;        ///< numbers of faces, on all levels but the first
     std::uint64_t last_bytes = 0;
     global_id largest_vertex = 0;
 };
@@ -136,7 +137,7 @@ refined refine_part(cutter_type& cutter, const levels_type& whole, std::size_t p
     std::uint64_t corners = cut.part.mesh.corner_count();
     const auto fine = kith::refine(
         std::move(cut.part), std::move(cut.scheme), whole, kith::connect::faces, [&](const tile_type& level) {
-            result.made += corners; // a quad per corner
+            result.made += corners; // one quad per corner
             result.kept += level.mesh.face_count();
             result.owned += std::uint64_t(std::ranges::count_if(
                 level.face_marks, [](unsigned char mark) { return (mark & kith::owned_mark) != 0; }));
@@ -164,7 +165,7 @@ refined refine_part(cutter_type& cutter, const levels_type& whole, std::size_t p
     return result;
 }
 
-/// Each control face in a part of its own, or its children on a level that was refined as a whole.
+/// Returns a partition in which each face is a part of its own.
 std::vector<std::uint32_t> alone(std::size_t faces)
 {
     std::vector<std::uint32_t> part_of(faces);

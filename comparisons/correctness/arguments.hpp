@@ -9,14 +9,15 @@
 
 namespace kith::comparison {
 
-/// What every compare_... program is told.
+/// The arguments of every compare_... program.
 struct arguments {
     std::vector<std::filesystem::path> files;
     std::size_t max_faces;
     int levels;
 };
 
-/// Nothing when --help was asked for, which is then answered. Errors: boost::program_options::error.
+/// Parses the command line. Returns no value after printing the help text for --help. Errors:
+/// boost::program_options::error.
 std::optional<arguments> parse(int count, char** words, const std::string& what_it_does);
 
 } // namespace kith::comparison

@@ -21,10 +21,10 @@ namespace {
 using namespace kith::comparison;
 namespace io = kith::io;
 
-/// Nine digits are in the files, and their own refinement was made in floats.
+/// The tolerance for baselines: the files have nine digits, and their refinement was computed in floats.
 constexpr double their_precision = 5e-6;
 
-/// NAME_ref_after<n>.obj is what OpenSubdiv makes of NAME.obj in n levels.
+/// A baseline: NAME_ref_after<n>.obj is OpenSubdiv's refinement of NAME.obj by n levels.
 struct baseline {
     std::filesystem::path result;
     std::filesystem::path control;

@@ -17,7 +17,7 @@ namespace kith::comparison {
 
 namespace {
 
-/// The control mesh of a file, or nothing and a word why.
+/// Reads the control mesh of a file. Returns no mesh, and reports why, if the file cannot be used.
 std::optional<control_mesh> read(const std::filesystem::path& file, std::size_t max_faces, verdicts& verdicts)
 {
     const std::string name = file.filename().string();

@@ -8,8 +8,9 @@
 
 namespace kith::comparison {
 
-/// The common main(): has the shapes of the tests compared, and each good mesh of the files that the arguments name.
-/// The exit code: 0 all the same, 1 something differs, 2 wrong arguments, 77 all the same but there were no files.
+/// Implements main() of the comparison programs: compares the shapes of the tests, and each valid mesh of the files
+/// that the arguments name. Returns the exit code: 0 if all results agree, 1 if a result differs, 2 for wrong
+/// arguments, 77 if all agree but there were no files.
 int compare_files(int count, char** words, const std::string& what_it_does,
                   const std::function<void(const control_mesh& control, int levels, verdicts&)>& compare);
 

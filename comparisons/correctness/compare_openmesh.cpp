@@ -15,8 +15,8 @@ int main(int count, char** words)
                                  compare_scheme<polygons, kith::mid_edge>(control, levels, verdicts);
                                  compare_scheme<triangles, kith::interpolatory_sqrt3>(control, levels, verdicts);
                              } else {
-                                 // Faces dropped by mid-edge; vertices beyond the boundary taken from itself by
-                                 // interpolatory sqrt(3).
+                                 // At a boundary, OpenMesh's mid-edge scheme drops faces, and its interpolatory sqrt(3)
+                                 // takes vertices beyond the boundary from the mesh itself.
                                  verdicts.skip(control.name, kith::scheme_name<kith::mid_edge>(), "has a boundary");
                                  verdicts.skip(
                                      control.name, kith::scheme_name<kith::interpolatory_sqrt3>(), "has a boundary");

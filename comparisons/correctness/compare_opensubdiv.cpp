@@ -15,10 +15,11 @@ namespace {
 
 using namespace kith::comparison;
 
-/// OpenSubdiv computes with sharpness in floats, and weights that are made of it carry their error.
+/// The tolerance for creases: OpenSubdiv stores sharpness in floats, so weights computed from sharpness carry their
+/// rounding error.
 constexpr double float_sharpness = 1e-8;
 
-/// Some edges and a few vertices made sharp by one of these numbers, always the same ones.
+/// Sharpens some edges and a few vertices with values from `sharpness`; always the same edges and vertices.
 kith::creases random_creases(const kith::basic_mesh<>& mesh, const std::vector<double>& sharpness,
                              kith::crease_method method)
 {
@@ -69,7 +70,7 @@ void compare_options(const control_mesh& control, int levels, verdicts& verdicts
     scheme.sharpness = random_creases(
         control.mesh, {0.25, 0.5, 1, 1.375, 2, 3.5, kith::infinitely_sharp}, kith::crease_method::uniform);
     compare_scheme(control, scheme, ", creases", levels, verdicts);
-    // Not one below and another above 1 on any level: there OpenSubdiv's weights leave the range from 0 to 1.
+    // No two values below and above 1 on any level: there OpenSubdiv's weights leave the range from 0 to 1.
     scheme.sharpness = random_creases(control.mesh, {1.5, 1.625, 1.75}, kith::crease_method::chaikin);
     compare_scheme(control, scheme, ", Chaikin creases", levels, verdicts);
 }

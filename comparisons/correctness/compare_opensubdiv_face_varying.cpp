@@ -42,13 +42,13 @@ constexpr std::array choices{
     choice{"ALL", face_varying_linear::all, rule::FVAR_LINEAR_ALL},
 };
 
-/// What has been compared, and the largest distance of two values; the control values lie between -1 and 1.
+/// The counts of what has been compared, and the largest difference of two values; control values lie between -1 and 1.
 struct tally {
     std::map<std::string, std::size_t> count;
     double largest = 0;
 };
 
-/// The values that OpenSubdiv makes of those of the control mesh, level by level.
+/// The values that OpenSubdiv computes from the values of the control mesh, level by level.
 class their_values {
 public:
     their_values(const opensubdiv_peer::mesh& theirs, const std::vector<point>& control) : theirs_(theirs)
@@ -56,7 +56,7 @@ public:
         for (const point& p : control)
             values_.push_back({p});
     }
-    /// At the corners of a face of the level at hand, in their order.
+    /// Returns the value at a corner of a face on the current level, in OpenSubdiv's order of corners.
     [[nodiscard]] point at(int level, int face, int corner) const
     {
         return values_[std::size_t(theirs_->GetLevel(level).GetFaceFVarValues(face)[corner])].at;
@@ -96,7 +96,7 @@ void compare_level(const Field& ours, const their_values& theirs, const Numbers&
     sum.count["corners"] += corners;
 }
 
-/// All choices on one mesh.
+/// Compares all choices of linear interpolation on one mesh.
 template <class Scheme>
 void compare_choices(const basic_mesh<>& control, const Scheme& scheme, const numbered_corners& corners,
                      random_numbers& random, int depth, tally& sum)
@@ -131,7 +131,7 @@ void compare_choices(const basic_mesh<>& control, const Scheme& scheme, const nu
         }
 }
 
-/// Without creases, with those that OpenSubdiv's floats hold exactly, and with Chaikin's.
+/// Compares without creases, with creases that OpenSubdiv's floats hold exactly, and with Chaikin's creases.
 template <class Scheme>
 void compare_creases(const shapes::shape& shape, std::size_t one_seam_in, random_numbers& random, int depth, tally& sum)
 {
@@ -151,7 +151,7 @@ void compare_creases(const shapes::shape& shape, std::size_t one_seam_in, random
     }
 }
 
-/// Each edge a seam, half of them, few, none.
+/// The densities of seams: one edge in this number is a seam; 0 means no seam.
 constexpr std::array<std::size_t, 6> densities{1, 2, 4, 8, 16, 0};
 
 } // namespace

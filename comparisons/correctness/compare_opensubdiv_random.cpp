@@ -24,14 +24,14 @@ using kith::basic_mesh;
 using kith::crease_method;
 using kith::infinitely_sharp;
 
-/// What has been compared, and the largest distances, in the size of the mesh.
+/// The counts of what has been compared, and the largest distances, relative to the size of the mesh.
 struct tally {
     std::map<std::string, std::size_t> count;
     double exact = 0, rounded = 0;
 };
 
-/// One run: OpenSubdiv's refinement and kith's, vertex by vertex on each level. Each step of OpenSubdiv starts from
-/// kith's points, so that a difference is told on the level where it arises.
+/// A comparison of OpenSubdiv's refinement with kith's, vertex by vertex on each level. Each step of OpenSubdiv starts
+/// from kith's points, so a difference is reported on the level where it arises.
 template <class Scheme>
 class random_comparison {
 public:
@@ -60,7 +60,7 @@ private:
     [[nodiscard]] double tolerance() const { return (kind_ == float_sharpness::rounded ? 1e-6 : 1e-12) * size_; }
     [[nodiscard]] const kith::creases& creases() const { return ours_.scheme(numbers_.level()).sharpness; }
 
-    /// The creases of a level are the same, in number and in sharpness.
+    /// Compares the creases of the current level: the elements and their sharpness must be equal.
     void compare_sharpness(tally& sum) const
     {
         const auto& coarse = numbers_.elements();
@@ -103,7 +103,7 @@ private:
         }
     }
 
-    /// The vertices of the next level lie where OpenSubdiv's do.
+    /// Compares the vertices of the next level with OpenSubdiv's.
     void compare_step(tally& sum) const
     {
         const int level = numbers_.level();
@@ -137,8 +137,9 @@ private:
         return fine.point(numbers_.our_child_of(x));
     }
 
-    /// Chaikin's method and an edge sharper than 1 one of whose halves gets smooth: OpenSubdiv does not take the
-    /// midpoint but s midpoint + (1 - s) smooth, although s > 1. docs/schemes.md.
+    /// Returns true if OpenSubdiv overshoots: under Chaikin's method the edge is sharper than 1 and one of its halves
+    /// becomes smooth. OpenSubdiv then takes s midpoint + (1 - s) smooth instead of the midpoint, although s > 1. See
+    /// docs/schemes.md.
     [[nodiscard]] bool opensubdiv_overshoots(const kith::edge<level_type>& e) const
     {
         const double s = creases().sharpness(e);
@@ -166,7 +167,7 @@ private:
     double size_ = 0;
 };
 
-/// All options on one mesh, with other creases for each.
+/// Compares all options on one mesh, with different creases for each.
 template <class Scheme>
 void compare_options(const shapes::shape& shape, int levels, random_numbers& random, tally& sum)
 {

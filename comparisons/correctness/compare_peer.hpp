@@ -13,8 +13,8 @@
 
 namespace kith::comparison {
 
-/// One scheme on one mesh: the peer's own refinement against kith's on the native mesh, on the peer's mesh by way of
-/// the native one (`refine`), and level by level on the peer's own mesh (`hierarchy`).
+/// Compares one scheme on one mesh: the peer's own refinement against kith's. kith refines the native mesh, the peer's
+/// mesh through the native one (`refine`), and the peer's mesh level by level (`hierarchy`).
 template <class Peer, class Scheme>
 void compare_scheme(const control_mesh& control, int levels, verdicts& verdicts)
 {

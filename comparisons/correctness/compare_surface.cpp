@@ -29,9 +29,9 @@ namespace {
 using namespace kith::comparison;
 using kith::basic_mesh;
 
-/// Counts the places that have been compared, and keeps the largest differences of points and derivatives.
+/// The counts of compared places, and the largest differences of points and derivatives.
 struct tally {
-    std::size_t turned = 0; // second derivatives that have the other sign
+    std::size_t turned = 0; // second derivatives with the opposite sign
     struct of_kind {
         std::size_t places = 0;
         std::array<double, 3> largest{};
@@ -39,11 +39,12 @@ struct tally {
     of_kind regular, irregular, near_vertices;
     std::size_t deep_places = 0; // at vertices of level 12
     double deep = 0;
-    std::size_t own_places = 0; // of schemes that OpenSubdiv does not have, at vertices of their levels
+    std::size_t own_places = 0; // at vertices of levels, for schemes that OpenSubdiv does not have
     double own = 0;
 };
 
-/// Returns true if a place is so near to a corner of its face that Bfr, after its last level, approximates there.
+/// Returns true if a place is so near to a corner of its face that Bfr approximates the surface there, after its last
+/// level.
 bool is_near_vertex(const kith::surface_place& place)
 {
     constexpr double least = 1. / 256;
@@ -51,7 +52,7 @@ bool is_near_vertex(const kith::surface_place& place)
     return is_near_end(place.u) and is_near_end(place.v);
 }
 
-/// Returns eight places in each face at random, one of them on an edge.
+/// Returns eight random places in each face, one of them on an edge.
 template <class Scheme>
 std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, random_numbers& random)
 {
@@ -70,7 +71,8 @@ std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, random_
     return result;
 }
 
-/// Returns the largest difference of a coordinate in derivatives of one order. Theirs are multiplied by `scale`.
+/// Returns the largest difference of a coordinate over the derivatives of one order. The derivatives of Bfr are
+/// multiplied by `scale`.
 double difference(const kith::surface_values<std::array<double, 3>>& ours, std::size_t i,
                   const bfr_peer::values& theirs, int order, double scale)
 {
@@ -89,7 +91,7 @@ void compare(const basic_mesh<>& mesh, const Scheme& scheme, random_numbers& ran
     const auto refiner = opensubdiv_peer::make(mesh, scheme);
     if (not refiner)
         throw std::runtime_error("OpenSubdiv refuses the mesh");
-    constexpr int exact_levels = 10; // OpenSubdiv's most
+    constexpr int exact_levels = 10; // the most that OpenSubdiv allows
     const bfr_peer theirs(refiner, mesh.points(), exact_levels, exact_levels);
     const auto places = random_places<Scheme>(mesh, random);
     const auto ours =
@@ -100,15 +102,15 @@ void compare(const basic_mesh<>& mesh, const Scheme& scheme, random_numbers& ran
             continue;
         bfr_peer::values values{};
         theirs.evaluate(places[i].face, theirs.parameters(places[i]), values);
-        // A sub-face is half as wide to Bfr.
+        // In Bfr's parameters a sub-face is half as wide.
         const double scale = surface.GetParameterization().HasSubFaces() ? .5 : 1;
         const bool is_near = not surface.IsRegular() and is_near_vertex(places[i]);
         tally::of_kind& kind = surface.IsRegular() ? sum.regular : is_near ? sum.near_vertices : sum.irregular;
         ++kind.places;
         for (int order = 0; order < 3; ++order) {
             double here = difference(ours, i, values, order, std::pow(scale, order));
-            // In a triangle that was turned, Bfr's second derivatives have the wrong sign. Differences of its own first
-            // derivatives have the other one.
+            // In a triangle whose parameters were rotated, Bfr's second derivatives have the wrong sign; differences of
+            // its own first derivatives have the opposite one.
             if (order == 2 and std::is_same_v<Scheme, kith::loop> and not surface.IsRegular())
                 if (const double other = difference(ours, i, values, order, -1); other < here) {
                     here = other;
@@ -127,7 +129,7 @@ void compare(const basic_mesh<>& mesh, const Scheme& scheme, random_numbers& ran
     }
 }
 
-/// A vertex of level 12, at random: its place, and the limit that it has by the masks of that level.
+/// A random vertex of level 12: its place on the surface, and its limit by the masks of that level.
 struct deep_vertex {
     kith::surface_place place;
     std::array<double, 3> limit;
@@ -135,7 +137,8 @@ struct deep_vertex {
 
 using parameters = std::array<double, 2>;
 
-/// Returns the corners of a child of a face with these corners. Child k is at corner k; of a triangle, 3 is the middle.
+/// Returns the corners of child k of a face, given the corners of the face. Child k lies at corner k; child 3 of a
+/// triangle is the middle one.
 std::vector<parameters> child_of(const std::vector<parameters>& face, std::size_t k)
 {
     const std::size_t n = face.size();
@@ -149,7 +152,8 @@ std::vector<parameters> child_of(const std::vector<parameters>& face, std::size_
     return {face[k], middle(k, k + 1), middle(k + 2, k)};
 }
 
-/// Makes 12 steps around a face, each around a child of the face before, by the scheme's own text.
+/// Makes 12 steps around a face by the scheme's own code. Each step keeps the neighbourhood of one child of the
+/// previous face.
 template <class Scheme>
 deep_vertex go_deep(const basic_mesh<>& control, Scheme scheme, std::size_t control_face, random_numbers& random)
 {
@@ -220,7 +224,7 @@ struct part_of_face {
     std::vector<parameters> corners;
 };
 
-/// Returns the parts of a face that a step makes, at its corners; of 4-8 at the ends of its first edge.
+/// Returns the parts that one step makes of a face: one at each corner, or for 4-8 one at each end of its first edge.
 template <class Scheme>
 std::vector<part_of_face> parts_of(const part_of_face& whole)
 {
@@ -237,7 +241,7 @@ std::vector<part_of_face> parts_of(const part_of_face& whole)
     }
 }
 
-/// Compares all vertices of a level of the scheme's own with the surface.
+/// Compares all vertices of a level that the scheme makes with the surface.
 template <class Scheme>
 void compare_own_level(const basic_mesh<>& control, const Scheme& scheme, int level, tally& sum)
 {
@@ -278,7 +282,7 @@ void compare_own_level(const basic_mesh<>& control, const Scheme& scheme, int le
     }
 }
 
-/// Compares schemes that OpenSubdiv does not have with their own levels.
+/// Compares the surfaces of schemes that OpenSubdiv does not have with their own levels.
 void compare_others(const shapes::shape& shape, tally& sum)
 {
     const auto mesh = kith::make_mesh(shape.points, shape.faces);
@@ -288,7 +292,7 @@ void compare_others(const shapes::shape& shape, tally& sum)
             compare_own_level(mesh, kith::unified{.degree = degree}, 2, sum);
 }
 
-/// On one mesh without creases and with some of each kind.
+/// Compares both boundary rules on one mesh, without creases and with creases of each kind.
 template <class Scheme>
 void compare_options(const shapes::shape& shape, random_numbers& random, tally& sum)
 {

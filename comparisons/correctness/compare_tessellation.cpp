@@ -29,7 +29,7 @@ double product(const point& a, const point& b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Returns the square of the distance of a point to a segment from the origin.
+/// Returns the square of the distance from a point to a segment that starts at the origin.
 double square_to_segment(const point& p, const point& end)
 {
     const double square = product(end, end);
@@ -37,7 +37,7 @@ double square_to_segment(const point& p, const point& end)
     const point rest = difference(p, {t * end[0], t * end[1], t * end[2]});
     return product(rest, rest);
 }
-/// Returns the distance of a point to a triangle.
+/// Returns the distance from a point to a triangle.
 double distance(const point& p, const std::array<point, 3>& triangle)
 {
     const auto& [a, b, c] = triangle;
@@ -54,15 +54,15 @@ double distance(const point& p, const std::array<point, 3>& triangle)
         {square_to_segment(ap, ab), square_to_segment(ap, ac), square_to_segment(difference(p, b), difference(c, b))}));
 }
 
-/// Returns the distance of a point to the plane of a triangle, or to the triangle if that has no plane.
+/// Returns the distance from a point to the plane of a triangle, or to the triangle itself if it is degenerate.
 double distance_to_plane(const point& p, const std::array<point, 3>& triangle)
 {
     const auto normal = kith::unit_normal(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
     return normal ? std::abs(product(difference(p, triangle[0]), *normal)) : distance(p, triangle);
 }
 
-/// Returns the largest distance of the surface, at random places in each face, to the plane of the nearest triangle of
-/// the face.
+/// Returns the largest distance from the surface, at random places in each face, to the plane of the nearest triangle
+/// of the face.
 template <class Scheme>
 double largest_distance(const kith::basic_mesh<>& control, const Scheme& scheme, const kith::tessellation<point>& made)
 {
@@ -89,8 +89,8 @@ double largest_distance(const kith::basic_mesh<>& control, const Scheme& scheme,
     return largest;
 }
 
-/// Tessellates by a chord error, and looks at what was made. kith measures in the middles of triangles and edges;
-/// between them the surface may be a little further away.
+/// Tessellates by a chord error and checks the result. kith measures the error at the midpoints of triangles and edges;
+/// between them the surface may be slightly further away.
 template <class Scheme>
 void compare(const control_mesh& control, const std::string& name, const Scheme& scheme, verdicts& verdicts)
 {

@@ -8,7 +8,8 @@
 
 namespace kith::comparison {
 
-/// What `main` returns when this is all that it does: 0, 2 for wrong options, or 1; what went wrong is told.
+/// Runs `program` and returns the exit code for `main`: 0 on success, 2 for wrong options, 1 for other exceptions.
+/// Prints the message of an exception.
 template <class Program>
 int exit_code_of(const Program& program)
 {

@@ -13,14 +13,14 @@
 
 namespace kith::comparison {
 
-/// The numbers that OpenSubdiv gives the elements of a hierarchy, on one level after the other.
+/// The numbers that OpenSubdiv gives to the elements of a hierarchy, one level after the other.
 template <class Scheme>
 class opensubdiv_numbers {
 public:
     using levels_type = hierarchy<basic_mesh<>, Scheme>;
     using level_type = level_of<basic_mesh<>>;
 
-    /// Of the control mesh. Both must outlive this, and be refined alike.
+    /// Begins with the control mesh. Both hierarchies must outlive this object and be refined alike.
     opensubdiv_numbers(const levels_type& ours, const opensubdiv_peer::mesh& theirs)
         : ours_(ours), theirs_(*theirs), vertices_(ours[0].vertex_count())
     {
@@ -51,12 +51,12 @@ public:
         }
         fail("OpenSubdiv has no such face");
     }
-    /// The number of the vertex that an element gives birth to.
+    /// Returns OpenSubdiv's number of the vertex that an element makes on the next level.
     [[nodiscard]] int child_of(const vertex<level_type>& v) const { return their_level().GetVertexChildVertex(of(v)); }
     [[nodiscard]] int child_of(const edge<level_type>& e) const { return their_level().GetEdgeChildVertex(of(e)); }
     [[nodiscard]] int child_of(const face<level_type>& f) const { return their_level().GetFaceChildVertex(of(f)); }
 
-    /// Calls f on all elements that give birth to vertices.
+    /// Calls f on all elements that make vertices on the next level.
     template <class F>
     void for_parents(const F& f) const
     {
@@ -68,7 +68,7 @@ public:
             for (const auto face : elements().faces())
                 f("face ", face);
     }
-    /// The number of the vertex of the next level that an element gives birth to, here.
+    /// Returns kith's number of the vertex that an element makes on the next level.
     template <element Element>
     [[nodiscard]] std::size_t our_child_of(const Element& x) const
     {

@@ -13,15 +13,15 @@
 
 namespace kith::comparison {
 
-/// Numbers of the values at the corners of a mesh: corners of one vertex with one number have one value.
+/// A numbering of the values at the corners of a mesh: corners of one vertex with the same number share one value.
 struct numbered_corners {
     std::vector<int> numbers;
     int count = 0;
 };
 
-/// Cuts the fan of each vertex along the edges that are marked and gives each piece a value of its own, at a few
-/// vertices one to two pieces. Where one edge is marked at a vertex inside, a seam ends there. Four pieces and more are
-/// all different: of a value that comes again there OpenSubdiv may make two. `sum` counts what there is.
+/// Cuts the fan of each vertex along the marked edges and gives each piece its own value; at a few vertices joins two
+/// pieces. A seam ends at an inner vertex with only one marked edge. Four and more pieces all get different values,
+/// since OpenSubdiv may split a value that occurs again there. `sum` counts the cases.
 inline numbered_corners cut_along(const basic_mesh<>& mesh, const std::vector<bool>& is_marked, random_numbers& random,
                                   std::map<std::string, std::size_t>& sum)
 {
@@ -35,7 +35,7 @@ inline numbered_corners cut_along(const basic_mesh<>& mesh, const std::vector<bo
             const auto p = c.prev();
             cuts += not p.is_boundary() and is_marked[p.next_edge().index()];
         }
-        // Inside, what comes after the last cut goes on as the first piece.
+        // At an inner vertex, the corners after the last cut belong to the first piece.
         const int pieces = v.is_boundary() ? cuts + 1 : std::max(cuts, 1);
         const bool joins_two = (pieces == 2 or pieces == 3) and random.one_in(5);
         auto piece = piece_of.begin();
@@ -53,7 +53,7 @@ inline numbered_corners cut_along(const basic_mesh<>& mesh, const std::vector<bo
     return result;
 }
 
-/// Edges of a mesh of which one in so many is marked, none for 0.
+/// Marks one edge in `one_in` at random; none if that is 0.
 inline std::vector<bool> marked_edges(const basic_mesh<>& mesh, std::size_t one_in, random_numbers& random)
 {
     std::vector<bool> result(mesh.edge_count());

@@ -16,22 +16,22 @@
 
 namespace kith::comparison {
 
-/// Numbers that are the same on every machine, unlike those of the standard distributions.
+/// Random numbers that are the same on every machine, unlike the standard distributions.
 class random_numbers {
 public:
     explicit random_numbers(std::uint64_t seed) : engine_(seed) {}
 
-    /// 0 ... n-1.
+    /// Returns a random number from 0 to n - 1.
     std::size_t below(std::size_t n) { return std::size_t(engine_() % n); }
     bool one_in(std::size_t n) { return below(n) == 0; }
-    /// Between -1 and 1.
+    /// Returns a random number between -1 and 1.
     double coordinate() { return 2 * double(engine_() >> 11) / double(std::uint64_t(1) << 53) - 1; }
 
 private:
     std::mt19937_64 engine_;
 };
 
-/// Takes faces away one by one as long as what is left is a manifold; vertices without faces go with them.
+/// Removes random faces as long as the rest is a manifold, and removes vertices that are left without faces.
 inline shapes::shape with_gaps(shapes::shape s, random_numbers& random, std::size_t attempts)
 {
     for (std::size_t i = 0; i < attempts and s.faces.size() > 2; ++i) {
@@ -50,7 +50,7 @@ inline shapes::shape with_gaps(shapes::shape s, random_numbers& random, std::siz
         rest.points = points;
         try {
             make_mesh(rest.points, rest.faces);
-        } catch (const mesh_error&) { // the faces around a vertex would have come apart
+        } catch (const mesh_error&) { // the faces around a vertex would no longer be connected
             continue;
         }
         s = rest;
@@ -58,7 +58,7 @@ inline shapes::shape with_gaps(shapes::shape s, random_numbers& random, std::siz
     return s;
 }
 
-/// A small triangle mesh, closed or with boundaries, with vertices of all valences and anywhere in a cube.
+/// Makes a small triangle mesh, closed or bounded, with vertices of all valences at random points of a cube.
 inline shapes::shape random_triangles(random_numbers& random)
 {
     const auto size = [&](std::size_t least) { return least + random.below(3); };
@@ -77,7 +77,7 @@ inline shapes::shape random_triangles(random_numbers& random)
     return result;
 }
 
-/// The same with triangles joined to polygons.
+/// Makes a random triangle mesh and joins some of its triangles to polygons.
 inline shapes::shape random_polygons(random_numbers& random)
 {
     auto triangles = random_triangles(random);
@@ -85,14 +85,15 @@ inline shapes::shape random_polygons(random_numbers& random)
     return shapes::with_joins(std::move(triangles), std::uint32_t(1 + random.below(1000)), int(joins));
 }
 
-/// How OpenSubdiv's floats fare with the sharpness of random creases.
+/// The precision with which OpenSubdiv's floats represent the sharpness of random creases.
 enum class float_sharpness : unsigned char {
-    alike,   ///< exactly: at each vertex the mean of what ends there is taken over equal numbers
-    few,     ///< exactly: of different numbers, but at most two of them at a vertex
-    rounded, ///< anything: floats round
+    alike,   ///< exact: the values whose mean is taken at a vertex are equal
+    few,     ///< exact: values differ, but at most two of them meet at a vertex
+    rounded, ///< inexact: any values, which floats round
 };
 
-/// Infinitely sharp, whole and fractional edges and vertices: creases, darts, corners and lone sharp vertices.
+/// Makes random creases: infinitely sharp, whole and fractional edges and vertices. They form creases, darts, corners
+/// and lone sharp vertices.
 inline creases random_creases(const basic_mesh<>& mesh, float_sharpness kind, crease_method method,
                               random_numbers& random)
 {
@@ -105,7 +106,8 @@ inline creases random_creases(const basic_mesh<>& mesh, float_sharpness kind, cr
             return double(1 + random.below(64)) / 16;
         if (kind == float_sharpness::rounded)
             return double(float(2 + 2 * random.coordinate()));
-        // Uniform ones lose 1 per level and are equal when they end if their fractions are; Chaikin's mix.
+        // Uniform values lose 1 per level; if their fractions are equal, they are equal when they end. Chaikin's values
+        // mix.
         return method == crease_method::uniform ? alike + double(random.below(3)) : alike;
     };
     const std::size_t one_edge_in = 2 + random.below(6), one_vertex_in = 4 + random.below(20);

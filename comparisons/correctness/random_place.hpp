@@ -9,7 +9,7 @@
 
 namespace kith::comparison {
 
-/// Returns a place in a face at random.
+/// Returns a random place in a face.
 template <class Scheme>
 surface_place random_place(const basic_mesh<>& mesh, std::size_t face, random_numbers& random)
 {

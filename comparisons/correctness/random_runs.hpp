@@ -15,14 +15,14 @@
 
 namespace kith::comparison {
 
-/// What a program that compares on random meshes was asked for, and how many of its comparisons have failed.
+/// The settings of a program that compares on random meshes, and the number of its failed comparisons.
 class random_runs {
 public:
-    std::size_t count = 1000; ///< of meshes for each scheme
-    std::uint64_t seed = 1;   ///< of the first mesh; the next ones follow it
+    std::size_t count = 1000; ///< random meshes per scheme
+    std::uint64_t seed = 1;   ///< of the first mesh; the next meshes use the following seeds
     int levels = 3;
 
-    /// Runs a comparison, which throws what is different.
+    /// Runs a comparison, which throws if it finds a difference.
     template <class Compare>
     void attempt(const std::string& what, const Compare& compare)
     {
@@ -33,7 +33,7 @@ public:
             ++different_;
         }
     }
-    /// Runs a comparison for each seed, handing over its random numbers.
+    /// Runs a comparison for each seed and passes it the random numbers of that seed.
     template <class Compare>
     void attempt_seeds(const Compare& compare)
     {
@@ -44,7 +44,7 @@ public:
             });
     }
     [[nodiscard]] std::size_t different() const { return different_; }
-    /// Errors: std::runtime_error where a comparison has failed.
+    /// Throws std::runtime_error if a comparison has failed.
     void require_same() const
     {
         if (different_ != 0)
@@ -55,7 +55,7 @@ private:
     std::size_t different_ = 0;
 };
 
-/// Reads --count, --seed and --levels; nothing where help was asked for, which it prints. Errors: those of
+/// Reads --count, --seed and --levels. Returns no value after printing the help text for --help. Errors: those of
 /// boost::program_options.
 inline std::optional<random_runs> parse_random_runs(int count, char** words, const char* what)
 {

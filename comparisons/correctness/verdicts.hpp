@@ -14,18 +14,18 @@
 
 namespace kith::comparison {
 
-/// A control mesh that kith takes.
+/// A control mesh that kith accepts.
 struct control_mesh {
     std::string name;
     basic_mesh<> mesh;
 
     [[nodiscard]] bool is_triangles() const { return mesh.topology().degree == 3; }
     [[nodiscard]] bool is_closed() const { return mesh.corner_count() == 2 * mesh.edge_count(); }
-    /// Of the bounding box.
+    /// Returns the diagonal of the bounding box.
     [[nodiscard]] double diagonal() const;
 };
 
-/// What one of kith's ways made of a control mesh.
+/// A refinement of a control mesh by one of kith's ways.
 struct result {
     std::string way;
     io::polygon_soup soup;
@@ -33,20 +33,21 @@ struct result {
 
 [[nodiscard]] io::polygon_soup soup_of(const basic_mesh<>& mesh);
 
-/// Prints what was found, line by line, and sums it up.
+/// The results of comparisons, which are printed line by line and summed up.
 class verdicts {
 public:
     static constexpr double rounding = 1e-12;
 
     void skip(std::string_view mesh, std::string_view scheme, std::string_view why);
-    /// Coordinates may differ by `tolerance` times the diagonal of the control mesh.
+    /// Compares results with the expected mesh. Coordinates may differ by `tolerance` times the diagonal of the control
+    /// mesh.
     void compare(const control_mesh& control, std::string_view scheme, const io::polygon_soup& expected,
                  const std::vector<result>& found, double tolerance = rounding);
-    /// `distance` is in diagonals of the control mesh.
+    /// Reports a result that agrees. `distance` is relative to the diagonal of the control mesh.
     void same(std::string_view mesh, std::string_view scheme, std::string_view what, double distance);
     void different(std::string_view mesh, std::string_view scheme, std::string_view what);
 
-    /// Prints the sums. True when nothing differs.
+    /// Prints the sums. Returns true if nothing differs.
     [[nodiscard]] bool summary() const;
 
 private:

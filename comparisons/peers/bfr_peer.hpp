@@ -20,11 +20,11 @@ class bfr_peer {
 public:
     using surface = OpenSubdiv::Bfr::Surface<double>;
 
-    /// Point and derivatives as Bfr has them: P, Du, Dv, Duu, Duv, Dvv.
+    /// A point and its derivatives in Bfr's order: P, Du, Dv, Duu, Duv, Dvv.
     using values = std::array<std::array<double, 3>, 6>;
 
-    /// `smooth` and `sharp` are the levels up to which Bfr refines at irregular vertices and at creases. Its own choice
-    /// is 2 and 6. The mesh must outlive this object.
+    /// Makes the surfaces. Bfr refines up to level `smooth` at irregular vertices and up to level `sharp` at creases;
+    /// its own defaults are 2 and 6. The mesh must outlive this object.
     bfr_peer(const opensubdiv_peer::mesh& mesh, std::span<const std::array<double, 3>> control, int smooth = 2,
              int sharp = 6)
         : surfaces_(std::size_t(mesh->GetLevel(0).GetNumFaces())), points_(surfaces_.size())
@@ -40,7 +40,7 @@ public:
         move(control);
     }
 
-    /// Makes the patch points of other control points.
+    /// Computes the patch points for other control points.
     void move(std::span<const std::array<double, 3>> control)
     {
         for (std::size_t f = 0; f < surfaces_.size(); ++f)
@@ -50,7 +50,7 @@ public:
 
     [[nodiscard]] const surface& of_face(std::size_t face) const { return surfaces_[face]; }
 
-    /// Returns the parameters of a place as Bfr has them.
+    /// Returns the parameters of a place in Bfr's parameterization.
     [[nodiscard]] std::array<double, 2> parameters(const surface_place& place) const
     {
         const auto parameterization = surfaces_[place.face].GetParameterization();
@@ -61,7 +61,7 @@ public:
         parameterization.ConvertNormalizedSubFaceToCoord(int(place.corner), here.data(), result.data());
         return result;
     }
-    /// Evaluates the point and, if there are 3 or 6 outputs, its first or first and second derivatives.
+    /// Evaluates the point and, if there are 3 or 6 outputs, its first or its first and second derivatives.
     template <std::size_t Outputs>
     void evaluate(std::size_t face, const std::array<double, 2>& at,
                   std::array<std::array<double, 3>, Outputs>& to) const

@@ -22,7 +22,7 @@
 
 namespace kith::comparison {
 
-/// CGAL's Subdivision_method_3 with doubles, on Surface_mesh unless told otherwise.
+/// CGAL's Subdivision_method_3 with doubles, on Surface_mesh by default.
 struct cgal_peer {
     using point = CGAL::Simple_cartesian<double>::Point_3;
     using mesh = CGAL::Surface_mesh<point>;
@@ -30,7 +30,8 @@ struct cgal_peer {
     static constexpr library conventions = library::cgal;
     static std::string version() { return "CGAL " CGAL_VERSION_STR; }
 
-    /// The mesh as CGAL makes it, not kith's adapter; nothing where CGAL finds that the faces are no manifold.
+    /// Makes the mesh with CGAL's own functions, not with kith's adapter. Returns no mesh if CGAL finds that the faces
+    /// are not a manifold.
     template <class Mesh = mesh>
     static std::optional<Mesh> make(const basic_mesh<>& native)
     {
@@ -51,7 +52,7 @@ struct cgal_peer {
     static io::polygon_soup soup(const mesh& m)
     {
         io::polygon_soup result;
-        std::vector<std::size_t> number(m.num_vertices()); // Doo-Sabin leaves removed vertices behind
+        std::vector<std::size_t> number(m.num_vertices()); // Doo-Sabin leaves removed vertices
         for (const auto v : m.vertices()) {
             number[v] = result.points.size();
             result.points.push_back({m.point(v).x(), m.point(v).y(), m.point(v).z()});

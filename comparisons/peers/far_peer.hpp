@@ -19,12 +19,11 @@
 
 namespace kith::comparison {
 
-/// The limit surface of a mesh by the patch tables of OpenSubdiv's Far. Irregular patches are approximated by Gregory
-/// patches, as is its own choice.
+/// The limit surface of a mesh by the patch tables of OpenSubdiv's Far. Gregory patches approximate irregular patches,
+/// which is Far's default.
 class far_peer {
 public:
-    /// Refines a mesh adaptively, up to this level at irregular vertices and creases. The mesh must outlive this
-    /// object.
+    /// Refines a mesh adaptively, up to `level` at irregular vertices and creases. The mesh must outlive this object.
     far_peer(const opensubdiv_peer::mesh& mesh, std::span<const std::array<double, 3>> control, int level)
         : mesh_(*mesh), faces_(*mesh)
     {
@@ -40,7 +39,7 @@ public:
         move(control);
     }
 
-    /// Makes the points of all patches of other control points.
+    /// Computes the points of all patches for other control points.
     void move(std::span<const std::array<double, 3>> control)
     {
         for (std::size_t v = 0; v < control.size(); ++v)
@@ -56,7 +55,7 @@ public:
             local->UpdateValues(points_.data(), points_.data() + refined_);
     }
 
-    /// Evaluates the point at a place and, if there are three outputs, the first derivatives.
+    /// Evaluates the point at a place and, if there are three outputs, its first derivatives.
     template <std::size_t Outputs>
     void evaluate(const surface_place& place, std::array<std::array<double, 3>, Outputs>& to) const
     {
@@ -83,7 +82,7 @@ private:
     OpenSubdiv::Far::PtexIndices faces_;
     std::unique_ptr<const OpenSubdiv::Far::PatchTable> table_;
     std::optional<OpenSubdiv::Far::PatchMap> map_;
-    std::size_t refined_ = 0; // points before those that patches alone have
+    std::size_t refined_ = 0; // number of refined points; points of patches follow them
     std::vector<opensubdiv_point<double>> points_;
 };
 

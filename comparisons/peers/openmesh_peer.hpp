@@ -17,7 +17,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3InterpolatingSubdividerLabsikGreinerT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
-// Not self-contained: it needs the mesh headers above it.
+// The next header is not self-contained: it needs the mesh headers above it.
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct openmesh_doubles : OpenMesh::DefaultTraits {
     using Normal = OpenMesh::Vec3d;
 };
 
-/// OpenMesh's uniform subdividers on one of its meshes, with doubles.
+/// OpenMesh's uniform subdividers on one of its mesh types, with doubles.
 template <class Mesh>
 struct openmesh_peer {
     using mesh = Mesh;
@@ -42,7 +42,8 @@ struct openmesh_peer {
     static constexpr library conventions = library::openmesh;
     static std::string version() { return "OpenMesh 9"; }
 
-    /// The mesh as OpenMesh makes it, not kith's adapter; nothing where it refuses a face.
+    /// Makes the mesh with OpenMesh's own functions, not with kith's adapter. Returns no mesh if OpenMesh refuses a
+    /// face.
     static std::optional<mesh> make(const basic_mesh<>& native)
     {
         mesh result;
@@ -106,7 +107,8 @@ private:
         if (not subdivider(m, std::size_t(levels)))
             throw std::runtime_error("OpenMesh did not refine");
     }
-    /// These have a table of weights for valences below 50, and read past its end without a word.
+    /// Runs a subdivider that keeps a table of weights by valence. The default table ends at valence 49, and OpenMesh
+    /// reads past its end without an error; so this function makes a table that is large enough.
     template <class Subdivider>
     static void run_with_weights(Subdivider&& subdivider, mesh& m, int levels)
     {

@@ -23,7 +23,7 @@
 
 namespace kith::comparison {
 
-/// What OpenSubdiv interpolates.
+/// A point in the form that OpenSubdiv interpolates.
 template <class Real>
 struct opensubdiv_point {
     std::array<Real, 3> at;
@@ -36,16 +36,16 @@ struct opensubdiv_point {
     }
 };
 
-/// The points of one level. Not cleared first: Interpolate does that.
+/// The points of one level. They need no initial values, since Interpolate clears them.
 template <class Real>
 using opensubdiv_points = std::unique_ptr<opensubdiv_point<Real>[]>;
 
-/// Values at corners as OpenSubdiv takes them: those with one number are one value. They are numbered from 0.
+/// Values at corners as OpenSubdiv takes them: corners with the same number share one value. Numbers begin at 0.
 struct opensubdiv_corners {
     using rule = OpenSubdiv::Sdc::Options::FVarLinearInterpolation;
 
-    std::vector<int> numbers; ///< in the order of the corners
-    int count = 0;            ///< of different ones
+    std::vector<int> numbers; ///< one per corner, in the order of the corners
+    int count = 0;            ///< of different numbers
     rule linear = rule::FVAR_LINEAR_ALL;
 };
 
@@ -59,8 +59,7 @@ struct opensubdiv_peer {
                std::to_string(OPENSUBDIV_VERSION_MINOR) + '.' + std::to_string(OPENSUBDIV_VERSION_PATCH);
     }
 
-    /// The mesh with nothing refined yet; its creases and boundary corners are the scheme's, and there may be values at
-    /// corners.
+    /// Makes the unrefined mesh, with the creases and boundary corners of the scheme and, if given, values at corners.
     template <class Scheme>
     static mesh make(const basic_mesh<>& native, const Scheme& scheme, const opensubdiv_corners& corner_values = {})
     {
@@ -108,7 +107,7 @@ struct opensubdiv_peer {
         return mesh(factory::Create(description, factory::Options(type_of(scheme), options)));
     }
 
-    /// `full`: with all connectivity of the last level, else with its face-vertex lists only.
+    /// Refines `levels` times. The last level has all connectivity if `full`, else its face-vertex lists only.
     static void refine(const mesh& refiner, int levels, bool full)
     {
         OpenSubdiv::Far::TopologyRefiner::UniformOptions options(levels);
@@ -116,7 +115,7 @@ struct opensubdiv_peer {
         refiner->RefineUniform(options);
     }
 
-    /// The points of the last level; those between are dropped as soon as they have been used.
+    /// Returns the points of the last level. Points of levels between are freed as soon as they have been used.
     template <class Real>
     static opensubdiv_points<Real> interpolate(const mesh& refiner, std::span<const opensubdiv_point<Real>> control)
     {
@@ -134,7 +133,8 @@ struct opensubdiv_peer {
         return last;
     }
 
-    /// Where the vertices of the last level end up, and two tangents there. Precondition: its connectivity is full.
+    /// Returns the limit positions of the vertices of the last level, and two tangents at each. Precondition: the last
+    /// level was refined with `full`.
     template <class Real>
     static std::array<opensubdiv_points<Real>, 3> limits(const mesh& refiner, const opensubdiv_points<Real>& points)
     {
@@ -148,7 +148,7 @@ struct opensubdiv_peer {
         return result;
     }
 
-    /// The weights of the points of the last level over the control points, multiplied out.
+    /// Returns the stencils of the points of the last level over the control points.
     template <class Real>
     static std::unique_ptr<const OpenSubdiv::Far::StencilTableReal<Real>> stencils(const mesh& refiner)
     {
@@ -160,7 +160,7 @@ struct opensubdiv_peer {
         return std::unique_ptr<const OpenSubdiv::Far::StencilTableReal<Real>>(factory::Create(*refiner, options));
     }
 
-    /// The points of the last level by these weights.
+    /// Returns the points of the last level, evaluated with these stencils.
     template <class Real>
     static opensubdiv_points<Real> evaluated(const OpenSubdiv::Far::StencilTableReal<Real>& table,
                                              std::span<const opensubdiv_point<Real>> control)
@@ -170,7 +170,7 @@ struct opensubdiv_peer {
         return points;
     }
 
-    /// The control points in the form that `interpolate` takes.
+    /// Returns the control points in the form that `interpolate` takes.
     template <class Real>
     static std::vector<opensubdiv_point<Real>> points_of(const basic_mesh<>& native)
     {
@@ -194,7 +194,7 @@ struct opensubdiv_peer {
     }
 
 private:
-    /// The vertex that a half-edge leaves.
+    /// Returns the vertex from which a half-edge starts.
     static int end_of(const basic_mesh<>& native, std::size_t halfedge)
     {
         return int(mesh_traits<basic_mesh<>>::source(native, {std::uint32_t(halfedge)}).value);

@@ -32,15 +32,15 @@ struct derivatives_at {
     T du, dv, duu, duv, dvv;
 };
 
-/// Returns the rows that make membrane strains (uu, vv, twice uv) and changes of curvature (uu, vv, twice uv) of the
-/// displacements x, y, z of one control point after the other.
+/// Returns the matrix from displacements (x, y, z of each control point) to strains. Rows 0 to 2 are membrane strains
+/// (uu, vv, twice uv); rows 3 to 5 are changes of curvature (uu, vv, twice uv).
 inline strain_matrix strain_rows(const derivatives_at<Eigen::Vector3d>& x, const derivatives_at<vector>& weights)
 {
     const Eigen::Vector3d cross = x.du.cross(x.dv), normal = cross.normalized();
     strain_matrix rows(6, 3 * weights.du.size());
     const auto fill = [&](Eigen::Index i, auto block) {
         const double u = weights.du[i], v = weights.dv[i];
-        // A curvature is the product of a second derivative and the normal, which turns with du and dv.
+        // The curvature is the product of a second derivative and the normal, which rotates with du and dv.
         const auto curvature = [&](double second_weight, const Eigen::Vector3d& second) -> Eigen::Vector3d {
             const Eigen::Vector3d tangential = (second - normal * normal.dot(second)) / cross.norm();
             return second_weight * normal + u * x.dv.cross(tangential) + v * tangential.cross(x.du);
@@ -76,11 +76,11 @@ inline Eigen::Matrix3d moduli(const derivatives_at<Eigen::Vector3d>& x, double p
 
 /// The matrices of a shell over its control points.
 struct shell_matrices {
-    matrix stiffness; ///< of the displacements x, y, z of one control point after the other
+    matrix stiffness; ///< of the displacements x, y, z of each control point in turn
     vector areas;     ///< the integral of each basis function
 };
 
-/// Integrates over a shell with these control points. `located` are the places of the quadrature. Precondition: the
+/// Integrates over a shell with these control points. `located` are the places of `quadrature`. Precondition: the
 /// places of one face follow each other.
 inline shell_matrices integrate(const kith::located_places& located, const std::vector<point>& control,
                                 const kith::surface_quadrature& quadrature, const material& of)

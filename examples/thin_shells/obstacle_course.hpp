@@ -17,7 +17,7 @@
 
 namespace thin_shells {
 
-/// Collects points and faces, with points by their place.
+/// A maker of meshes that collects points and faces. Points with the same coordinates get one number.
 template <class Scheme>
 struct mesh_maker {
     static constexpr std::size_t degree = std::same_as<Scheme, kith::catmull_clark> ? 4 : 3;
@@ -43,7 +43,7 @@ struct mesh_maker {
 };
 
 /// Returns `around` by `along` faces of a cylinder around the y axis, with a row of ghost faces at both ends. Angles go
-/// in steps from `first`. Rows of triangles are staggered, or consist of halves of rectangles.
+/// up in steps from `first`. Rows of triangles are staggered, or consist of halved rectangles.
 template <class Scheme>
 mesh cylinder(double radius, double length, double first, double step, int around, int along, bool is_staggered)
 {
@@ -69,7 +69,7 @@ mesh cylinder(double radius, double length, double first, double step, int aroun
     return maker.make();
 }
 
-/// Returns a sphere whose axes meet vertices: a cube with n segments per edge.
+/// Returns a sphere made from a cube with n segments per edge. The axes meet vertices of the mesh.
 inline mesh cube_sphere(double radius, std::size_t n)
 {
     mesh_maker<kith::catmull_clark> maker;
@@ -91,7 +91,7 @@ inline mesh cube_sphere(double radius, std::size_t n)
         }
     return maker.make();
 }
-/// Returns an octahedron as a sphere. Four of its vertices lie between the axes x and y, which meet regular vertices.
+/// Returns an octahedron as a sphere. The axes x and y meet regular vertices; four irregular ones lie between them.
 inline mesh octahedron_sphere(double radius, std::size_t n)
 {
     mesh_maker<kith::loop> maker;
@@ -112,7 +112,7 @@ inline mesh octahedron_sphere(double radius, std::size_t n)
     return maker.make();
 }
 
-/// Returns supports that keep the ends of a cylinder round.
+/// Returns supports that keep the ends of a cylinder circular.
 inline auto at_diaphragms(double length)
 {
     return [length](const point& p) {
@@ -121,7 +121,7 @@ inline auto at_diaphragms(double length)
     };
 }
 
-/// Returns a roof of 80 degrees under its weight, on two rigid diaphragms. Its straight edges are free.
+/// Returns a roof of 80 degrees under its own weight, on two rigid diaphragms. Its straight edges are free.
 template <class Scheme>
 shell_problem scordelis_lo_roof(int level)
 {
@@ -138,7 +138,7 @@ shell_problem scordelis_lo_roof(int level)
             .reference = .3024};
 }
 
-/// Returns a cylinder between rigid diaphragms that two opposite forces pinch.
+/// Returns a cylinder between rigid diaphragms that is pinched by two opposite forces.
 template <class Scheme>
 shell_problem pinched_cylinder(int level)
 {

@@ -19,7 +19,7 @@ struct point_load {
     point at, force;
 };
 
-/// A shell with its supports and loads. Its vertices are points of the middle surface. Faces may go beyond the shell:
+/// A shell with its supports and loads. Vertices are points of the middle surface. Faces may extend beyond the shell:
 /// such ghost faces carry control points, so that the basis is complete up to a free edge.
 struct shell_problem {
     mesh surface;
@@ -32,7 +32,7 @@ struct shell_problem {
     double gravity = 0; ///< the load per area, downwards
     std::vector<point_load> loads{};
     point_load probe; ///< `force` is a direction; the result is the displacement along it
-    double reference; ///< what the literature says of this displacement
+    double reference; ///< the displacement in the literature
 };
 
 struct shell_solution {
@@ -40,7 +40,7 @@ struct shell_solution {
     std::ptrdiff_t unknowns;
 };
 
-/// Solves a shell problem with the basis functions of a scheme.
+/// A solver of shell problems with the basis functions of a scheme.
 class shell_solver {
 public:
     template <class Scheme>
@@ -55,7 +55,7 @@ public:
     {
     }
 
-    /// Errors: std::runtime_error if the supports leave the shell movable.
+    /// Returns the solution. Errors: std::runtime_error if the supports leave the shell movable.
     [[nodiscard]] shell_solution solve() const
     {
         const auto shell = shell_places();
@@ -75,11 +75,11 @@ public:
     }
 
 private:
-    /// Returns -1, 0 or 1.
+    /// Returns the side of a mirror plane: -1, 0 (on the plane) or 1.
     static int side_of(double coordinate) { return (coordinate > 1e-6) - (coordinate < -1e-6); }
 
-    /// Returns the places of the faces of the shell on the positive sides of the mirrors. Their weights count all
-    /// images; a face that a mirror halves counts half.
+    /// Returns the places on faces of the shell on the positive sides of the mirrors. Their weights count all images;
+    /// a face that a mirror halves counts half.
     [[nodiscard]] kith::surface_quadrature shell_places() const
     {
         const auto centres = locate_(centres_).evaluate(control_).points;
@@ -97,8 +97,8 @@ private:
         return result;
     }
 
-    /// Returns stiff springs at the held vertices of the shell. Springs between the vertices are not needed; for Loop
-    /// they would also hold faces beside the supported curve.
+    /// Returns stiff springs at the held vertices of the shell. Springs between vertices are not needed; with Loop's
+    /// scheme they would also hold faces beside the supported curve.
     [[nodiscard]] matrix support_stiffness(const kith::surface_quadrature& shell) const
     {
         std::vector<bool> is_of_shell(control_.size(), false);
@@ -119,8 +119,8 @@ private:
         return 1e4 * problem_.of.young * problem_.of.thickness * matrix(springs.transpose() * springs);
     }
 
-    /// Returns the matrix from unknowns to displacements of control points. These are equal or opposite between mirror
-    /// images, and zero where neither an image nor the point itself has a stiffness.
+    /// Returns the matrix from unknowns to displacements of control points. Displacements of mirror images are equal or
+    /// opposite, and zero where neither the point nor an image has a stiffness.
     [[nodiscard]] matrix unknowns_of(const matrix& stiffness) const
     {
         const vector diagonal = stiffness.diagonal();
@@ -148,7 +148,7 @@ private:
         return result;
     }
 
-    /// Returns the weights of displacements of control points in the work of a force at a vertex.
+    /// Returns the weights of the control points' displacements in the work of a force at a vertex.
     [[nodiscard]] vector at_vertex(const point_load& load) const
     {
         const auto distance = [&](std::size_t v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// kith::cgal beside CGAL::Subdivision_method_3 and beside kith on its native mesh.
+// Compares kith::cgal with CGAL::Subdivision_method_3 and with kith on its native mesh.
 #include <CGAL/Simple_cartesian.h>
 
 #include "support/all_shapes.hpp"
@@ -35,7 +35,7 @@ namespace params = CGAL::parameters;
 namespace theirs = CGAL::Subdivision_method_3;
 namespace ours = kith::cgal;
 
-/// Calls both with copies of the same graph, one to three steps.
+/// Calls both functions with copies of the same graph, one to three steps, and expects the same surface.
 template <class Graph, class Theirs, class Ours>
 void expect_same_surface(const shapes::shape& s, const Theirs& their_function, const Ours& our_function)
 {
@@ -76,8 +76,8 @@ void expect_cgals_surfaces()
         [](auto& m, unsigned n) { ours::Sqrt3_subdivision(m, params::number_of_iterations(n)); });
 }
 
-/// Calls test(name, function of a graph and of a number of steps, scheme, shape) for every scheme and a shape that it
-/// takes.
+/// Calls test(name, function of a graph and of a number of steps, scheme, shape) for every scheme and a shape that the
+/// scheme takes.
 template <class Test>
 void for_each_function(const Test& test)
 {
@@ -120,7 +120,7 @@ void expect_native_bits()
     });
 }
 
-/// A mask of the user's own, not symmetric, that knows where it was called.
+/// A mask of the user: it is not symmetric, and it records where it was called.
 template <class Graph>
 struct lifting_mask {
     using vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
@@ -187,7 +187,7 @@ TEST(cgal_dialect, keeps_the_doubles_of_openmesh)
 
 TEST(cgal_dialect, takes_openmesh_through_cgals_wrapper)
 {
-    // Its points are floats, CGAL's wrapper reads them as doubles.
+    // OpenMesh's points are floats; CGAL's wrapper reads them as doubles.
     auto g = make_graph<openmesh>(shapes::open_house());
     auto expected = make_graph<mesh>(shapes::open_house());
     ours::CatmullClark_subdivision(g, params::number_of_iterations(2));
@@ -232,7 +232,7 @@ TEST(cgal_dialect, leaves_no_values_of_openmesh_on_other_elements)
     run([](auto& g) { ours::DooSabin_subdivision(g, 1); }, false);
 }
 
-/// The faces as their points, each from its smallest one on, whatever order the mesh lists them in.
+/// Returns the faces as lists of points, independent of their order and of their first corners.
 std::multiset<std::vector<shapes::point>> faces_in_space(const surface& s)
 {
     std::multiset<std::vector<shapes::point>> result;

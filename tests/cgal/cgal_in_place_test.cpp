@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surface_mesh and classes derived from it with values of many types, refined in place.
+// Refines Surface_mesh, and classes derived from it with values of many types, in place.
 #include "support/failing_allocations.hpp"
 #include "support/forced_way.hpp"
 #include "support/property_names.hpp"
@@ -46,7 +46,7 @@ struct material {
     int id = -1;
     friend bool operator==(const material&, const material&) = default;
 };
-/// Has a mean, but is not coordinates.
+/// A value type that has a mean, but is not coordinates.
 struct reading {
     double celsius = -300;
     friend bool operator==(const reading&, const reading&) = default;
@@ -56,7 +56,7 @@ struct list {
     friend bool operator==(const list&, const list&) = default;
 };
 
-/// A value of any type that stands for a number.
+/// Returns a value of any type that stands for the number n.
 template <class T>
 T value_of(int n)
 {
@@ -76,7 +76,7 @@ T value_of(int n)
         return T(n);
 }
 
-/// Of a new element that inherits nothing: the default of the map, and zero for points and vectors.
+/// Returns the value of a new element that inherits none: the default of the map, or zero for points and vectors.
 template <class T>
 T new_value()
 {
@@ -112,7 +112,7 @@ template <class Handle, class T>
 auto map_of(const base& m, const char* name)
 {
     const auto found = m.property_map<Handle, T>(name);
-    if constexpr (requires { found.has_value(); }) // from CGAL 6 on
+    if constexpr (requires { found.has_value(); }) // since CGAL 6
         return found.value();
     else
         return found.first;
@@ -142,7 +142,7 @@ void add_maps(base& m, const Range& elements)
     });
 }
 
-/// Must not be asked.
+/// A mask that must not be called.
 struct no_mask {
     template <class Element>
     void face_node(Element, point&)
@@ -154,7 +154,7 @@ struct no_mask {
     void border_node(halfedge, point&, point&) { ADD_FAILURE(); }
 };
 
-/// All that can be seen of a mesh, points to the bit.
+/// Returns a text with all that is visible of a mesh; points are exact to the bit.
 std::string text_of(const base& m)
 {
     std::string result;
@@ -183,7 +183,7 @@ std::string text_of(const base& m)
 
 } // namespace
 
-/// kith averages it.
+/// The arithmetic by which kith averages `reading`.
 template <>
 struct kith::affine<reading> {
     using scalar = double;
@@ -234,7 +234,7 @@ TEST(cgal_in_place, values_of_all_types_stay_with_what_comes_from_their_element)
             }
         const auto at_corners = map_of<halfedge, T>(m, name);
         if constexpr (not kith::affine_value<T> or std::integral<T>)
-            for (const auto h : m.halfedges()) { // that lies along one of the same face of level 0
+            for (const auto h : m.halfedges()) { // half-edges along a half-edge of the same face of level 0
                 const auto from = levels.ancestor(2, m.edge(h), 0).e;
                 const auto parent = *levels.ancestor(2, m.face(h), 0).f;
                 const auto old = not from ? halfedge()
@@ -333,7 +333,8 @@ TEST(cgal_in_place, isolated_vertices_and_meshes_without_faces_stay_as_they_are)
 
 namespace {
 
-/// A mesh with removed elements of each kind and maps of many types, and what a call makes of it.
+/// Expects that a failing call leaves either the old mesh or the new one. The mesh has removed elements of each kind
+/// and maps of many types.
 template <class Call>
 void expect_old_or_new(const base& control, const Call& call)
 {
@@ -355,7 +356,7 @@ void expect_old_or_new(const base& control, const Call& call)
     EXPECT_GT(thrown, 100);
 }
 
-/// A torus with a weight at each vertex and a label on each face.
+/// Makes a torus with a weight at each vertex and a label on each face.
 base torus_with_values()
 {
     const auto shape = shapes::shaken(shapes::torus(12, 24));
@@ -385,7 +386,7 @@ base torus_with_values()
     return mesh;
 }
 
-/// State that counts levels and says nothing of any element.
+/// A state that counts levels and does not refer to elements.
 struct rounds {
     int count = 0;
 
@@ -405,7 +406,7 @@ struct rounds {
     {
     }
 };
-/// A scheme of a user's own with such state.
+/// A user's scheme with this state.
 struct counted {
     rounds levels{};
 
@@ -475,7 +476,7 @@ void expect_bits_of_single_steps(unsigned levels)
 
 TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_other)
 {
-    expect_bits_of_single_steps(5); // enough for patches
+    expect_bits_of_single_steps(5); // enough steps for patches
     for (const kith::refinement_way way : all_ways) {
         SCOPED_TRACE(int(way));
         const forced_way_here forced(way);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Named parameters of kith::cgal, what becomes of handles and property maps, and errors.
+// Tests the named parameters of kith::cgal, the effect on handles and property maps, and errors.
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -42,7 +42,7 @@ mesh house()
     return make_graph<mesh>(shapes::open_house());
 }
 
-/// Marks every third edge, sharp corners at the first two vertices.
+/// Returns a predicate that marks every third edge inside the mesh.
 auto third_edges(const mesh& m)
 {
     return [&m](edge e) { return e.idx() % 3 == 0 and not m.is_border(e); };
@@ -90,14 +90,14 @@ TEST(cgal_parameters, old_vertices_keep_their_handles_and_maps_stay)
     ours::CatmullClark_subdivision(control, params::number_of_iterations(2));
     EXPECT_TRUE(same_bits(control, expected.first));
     const auto expected_uv = map_of<halfedge, std::array<float, 2>>(expected.first, "h:uv");
-    for (const auto v : control.vertices()) { // by the maps that were made before
+    for (const auto v : control.vertices()) { // through the maps that were made before refining
         EXPECT_EQ(weight[v], control.point(v).z());
         EXPECT_EQ(unknown[v], label{v.idx() < before.num_vertices() ? int(v.idx()) : -1});
     }
     const auto expected_material = map_of<face, int>(expected.first, "f:material");
     for (const auto f : control.faces())
         EXPECT_EQ(material[f], expected_material[f]);
-    std::size_t along_old = 0; // a type that kith does not know is copied along old edges; all others have the default
+    std::size_t along_old = 0; // values of an unknown type are copied along old edges; others are defaults
     for (const auto e : control.edges())
         if (of_edge[e] == label{1})
             ++along_old;
@@ -130,7 +130,7 @@ TEST(cgal_parameters, removed_elements_stay_removed)
     EXPECT_EQ(control.number_of_faces(), control.num_faces());
     EXPECT_EQ(control.number_of_edges(), control.num_edges());
     EXPECT_EQ(difference(surface_of(control), surface_of(expected)), "");
-    for (const auto v : expected.vertices()) // old and new ones lie behind those that were removed
+    for (const auto v : expected.vertices()) // old and new elements lie behind the removed ones
         EXPECT_EQ(control.point(vertex(v.idx() + 4)), expected.point(v));
     for (const auto v : control.vertices())
         EXPECT_EQ(name[v], v.idx() < 12 ? std::to_string(v.idx()) : "");
@@ -160,7 +160,7 @@ TEST(cgal_parameters, maps_stay_beside_removed_elements)
         mesh control = make_graph<mesh>(shapes::open_house());
         control.set_recycle_garbage(recycles);
         auto unknown = control.add_property_map<vertex, label>("v:label").first;
-        auto mine = control.add_property_map<vertex, int>().first; // CGAL gives it a name that is free
+        auto mine = control.add_property_map<vertex, int>().first; // CGAL chooses a free name
         for (const auto v : control.vertices())
             unknown[v] = {int(v.idx())}, mine[v] = 100 + int(v.idx());
         CGAL::Euler::remove_face(control.halfedge(face(8)), control);
@@ -300,7 +300,7 @@ TEST(cgal_parameters, descriptors_of_a_polyhedron_stay)
 TEST(cgal_parameters, what_items_of_a_polyhedron_hold_is_on_no_other_element)
 {
     using numbered = CGAL::Polyhedron_3<kernel, CGAL::Polyhedron_items_with_id_3>;
-    const auto none = std::size_t(-1); // of an item that nobody has given a number
+    const auto none = std::size_t(-1); // the number of an item without a number
     for (const bool keeps_vertices : {true, false}) {
         auto p = make_graph<numbered>(shapes::open_house());
         CGAL::set_halfedgeds_items_id(p);
@@ -432,7 +432,7 @@ TEST(cgal_parameters, sqrt3_counts_anew_in_each_call_and_leaves_no_trace)
     ours::Sqrt3_subdivision(m, 1);
     EXPECT_EQ(difference(surface_of(m), surface_of(expected)), "");
     EXPECT_EQ(kith::mesh_traits<mesh>::generation(m), 0);
-    ours::Sqrt3_subdivision(expected, 1); // of which kith knew that it was half-way
+    ours::Sqrt3_subdivision(expected, 1); // kith knew that this mesh was between two steps
     EXPECT_EQ(kith::mesh_traits<mesh>::generation(expected), 0);
 }
 

@@ -43,7 +43,7 @@ mesh make(const shapes::shape& s)
     return user_mesh<mesh>::make(s.points, s.faces);
 }
 
-/// With maps of many types on all kinds of elements.
+/// Returns the mesh with maps of many types on all kinds of elements.
 mesh with_maps(mesh m)
 {
     auto place = m.add_property_map<vertex, kernel::Point_3>("v:place").first;
@@ -74,7 +74,7 @@ mesh with_maps(mesh m)
     return m;
 }
 
-/// The control mesh with a hole in its numbers: its first faces have been removed.
+/// Makes a control mesh whose numbers begin with a gap: its first faces have been removed.
 mesh after_removed_tetrahedron()
 {
     auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
@@ -153,7 +153,7 @@ TEST(cgal_properties, by_rule_are_told_by_the_elements_they_lie_on)
 
 namespace {
 
-/// Counts how often values are copied.
+/// A value type that counts how often values are copied.
 struct counted {
     static inline std::size_t copies = 0;
 
@@ -220,7 +220,7 @@ TEST(cgal_properties, inherit_from_the_element_that_an_element_comes_from)
             EXPECT_EQ(id[child], 10 + int(v));
         }
         for (const auto v : fine.vertices())
-            old_ones += id[v] != -1; // as the map has for new ones
+            old_ones += id[v] != -1; // the map's default for new elements
         EXPECT_EQ(old_ones, control.number_of_vertices());
 
         const auto material = map_of<face, std::string>(fine, "f:material");
@@ -257,7 +257,7 @@ TEST(cgal_properties, at_half_edges_are_linear_in_each_face)
         double u = 0, corners = 0, mean = 0, degree = 0;
         const auto begin = control.halfedge(parent);
         auto g = begin;
-        do { // the corners of the parent that make the vertex
+        do { // over the corners of the parent that make the vertex
             mean += before[g][0];
             ++degree;
             const bool at_vertex = born.kind == kith::tuple_kind::v and control.target(g) == *born.v;
@@ -339,7 +339,7 @@ TEST(cgal_properties, elements_that_inherit_nothing_have_what_the_map_gives_to_n
         EXPECT_EQ(without, faces_without);
         EXPECT_EQ(unnamed, 0U);
         EXPECT_GT(inside, 0U);
-        const auto v = fine.add_vertex(); // the maps are as they were
+        const auto v = fine.add_vertex(); // the maps are unchanged
         EXPECT_EQ(fine_name[v], "new");
     };
     as_expected(kith::refine_with_properties(control, kith::catmull_clark(), 2).first, 0);
@@ -376,7 +376,7 @@ TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
     std::size_t without = 0;
     for (const auto f : fine.faces())
         without += material[f].empty();
-    EXPECT_EQ(without, 12U + 8U); // those of edges and of vertices
+    EXPECT_EQ(without, 12U + 8U); // faces of edges and of vertices
     mesh another = control;
     EXPECT_NE(error_text<kith::mesh_error>([&] {
                   kith::carry_properties(levels, 0, 1, another);
@@ -434,7 +434,7 @@ TEST(cgal_properties, values_of_cgal_are_values_of_masks)
     const auto at_first = [&]<class T>(const T& first, const T& others) {
         std::vector<T> values(8, others);
         values[0] = first;
-        return levels.carry(0, 1, std::span<const T>(values))[0]; // 5/12 of the first
+        return levels.carry(0, 1, std::span<const T>(values))[0]; // 5/12 of the first value
     };
     const auto near = [](const auto& a, const auto& b) { return (a - b) * (a - b) < 1e-28; };
     EXPECT_EQ(at_first(Color(255, 0, 16, 255), Color(255, 160, 0, 255)), Color(255, 93, 7, 255)); // 93.3, 6.7

@@ -70,7 +70,7 @@ TEST(cgal, points_that_are_arrays_are_refined_as_arrays)
 
 TEST(cgal, faces_of_many_corners_are_written_whole)
 {
-    const auto cage = make(shapes::shaken(shapes::umbrella(20))); // whose middle becomes a face
+    const auto cage = make(shapes::shaken(shapes::umbrella(20))); // its middle vertex becomes a face
     const auto fine = kith::refine(cage, kith::doo_sabin(), 2);
     EXPECT_TRUE(
         same_bits(kith::to_native_valid(fine), kith::refine(kith::to_native_valid(cage), kith::doo_sabin(), 2)));
@@ -166,7 +166,7 @@ TEST(cgal, errors_count_removed_elements)
 
 TEST(cgal, what_the_options_of_a_scheme_refuse_has_the_numbers_of_handles)
 {
-    // A house whose front edge has a vertex in its middle, the last one, between two faces.
+    // A house whose front edge has one more vertex in its middle, the last vertex, between two faces.
     const shapes::shape house{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {.5, .5, 1}, {.5, 0, 0}},
                               {{0, 5, 1, 2, 3}, {1, 5, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}}};
     auto beside_removed = make(shapes::both(shapes::tetrahedron(), house));
@@ -241,10 +241,10 @@ TEST(cgal, constrained_edges_are_creases)
 
 TEST(cgal, properties_hold_sharpness)
 {
-    auto m = cube_after_removed_tetrahedron(); // its elements have other numbers than their handles
+    auto m = cube_after_removed_tetrahedron(); // numbers of its elements differ from their handles
     auto of_edge = m.add_property_map<mesh::Edge_index, double>("e:sharpness", 0).first;
     auto of_vertex = m.add_property_map<mesh::Vertex_index, double>("v:sharpness", 0).first;
-    // From (1,-1,1) to (1,1,1); the vertex is (-1,-1,-1).
+    // The edge goes from (1,-1,1) to (1,1,1); the vertex is (-1,-1,-1).
     const auto edge = m.edge(m.halfedge(mesh::Vertex_index(4 + 5), mesh::Vertex_index(4 + 6)));
     of_edge[edge] = 1;
     of_vertex[mesh::Vertex_index(4)] = kith::infinitely_sharp;
@@ -278,9 +278,9 @@ TEST(cgal, exact_numbers_are_refined_exactly)
 
 TEST(cgal, the_second_exact_level_is_exact_too)
 {
-    // The corner (5/9, 5/9, 5/9) has edge points like (3/4, 3/4, 0) around it and face points like (1, 0, 0) across its
-    // quads. New x of the centres of these quads: (5/9 + 3/4 + 1 + 3/4) / 4, then twice (5/9 + 3/4 + 0 + 0) / 4. So the
-    // corner's is 1/3 * 5/9 + 1/9 * (3/4 + 3/4 + 0) + 1/9 * 17/12 = 55/108.
+    // Around the corner (5/9, 5/9, 5/9) there are edge points like (3/4, 3/4, 0). Its quads have face points like (1,
+    // 0, 0) at their opposite corners. The quads' centres have x = (5/9 + 3/4 + 1 + 3/4) / 4 once. They have x = (5/9 +
+    // 3/4 + 0 + 0) / 4 twice. So the new corner has x = 1/3 * 5/9 + 1/9 * (3/4 + 3/4 + 0) + 1/9 * 17/12 = 55/108.
     const auto fine = kith::refine(make_exact(shapes::cube()), kith::catmull_clark(), 2);
     const exact x = exact(55) / 108;
     EXPECT_EQ(fine.point(exact_mesh::Vertex_index(6)), exact_point(x, x, x));

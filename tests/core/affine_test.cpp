@@ -85,7 +85,7 @@ TEST(affine, types_without_a_specialisation_are_not)
 
 namespace {
 
-/// Shaped as a vector of glm is.
+/// A vector type with the interface of glm's vectors.
 template <class T>
 struct three {
     using value_type = T;

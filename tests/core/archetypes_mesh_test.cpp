@@ -24,12 +24,12 @@
 
 namespace archetypes {
 
-/// A point that has nothing but an affine.
+/// A point type that has only a specialization of kith::affine.
 struct place {
     double x, y, z;
 };
 
-/// A mesh whose kinds of elements have handles of their own.
+/// A mesh with a distinct handle type for each kind of element.
 class mesh {
 public:
     template <class Kind>
@@ -52,7 +52,7 @@ private:
     kith::basic_mesh<place, std::uint32_t> native_;
 };
 
-/// A range that can be passed through once, and not where it is constant, such as views::filter.
+/// A range that, like views::filter, can be iterated only once and only if it is not const.
 template <class Handle>
 class once {
 public:
@@ -134,7 +134,7 @@ struct kith::mesh_traits<archetypes::mesh> {
 
 namespace archetypes {
 
-/// An array that is read.
+/// A read-only array.
 template <class T>
 class array : stays {
 public:
@@ -150,7 +150,7 @@ private:
     std::vector<T> values_;
 };
 
-/// A tile, which says what another one does.
+/// A tile that has the contents of a kith::tile.
 class tile : stays {
     using known = kith::tile<shapes::point>;
 
@@ -238,7 +238,7 @@ archetypes::mesh own_mesh(const mesh3d& native)
     return archetypes::mesh({std::move(places), kith::connectivity(native.topology())});
 }
 
-/// Calls test(mesh of one's own, native one) for every shape.
+/// Calls test(own mesh, native mesh) for every shape.
 void for_each_pair(const auto& test)
 {
     for (const auto& [name, shape] : shapes::all_shapes()) {

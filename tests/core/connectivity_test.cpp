@@ -21,7 +21,8 @@ corners list(const kith::storage<std::uint32_t>& array)
     return {array.begin(), array.end()};
 }
 
-/// Calls test(connectivity, faces) for every shape; each face is a list of its corners, which lie one behind the other.
+/// Calls test(connectivity, faces) for every shape. Each face is the list of its corners, which have consecutive
+/// numbers.
 template <class Test>
 void for_each_shape(const Test& test)
 {

@@ -19,7 +19,7 @@ indices numbers(const auto& range)
     return result;
 }
 
-/// 3 x 3 vertices, numbered row by row; faces 0 and 1 below, 2 and 3 above.
+/// A grid of 3 x 3 vertices, numbered row by row. Faces 0 and 1 are below, faces 2 and 3 above.
 struct small_grid {
     mesh3d mesh = native(shapes::grid(2, 2));
     level_type level{mesh};

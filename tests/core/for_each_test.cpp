@@ -82,7 +82,7 @@ TEST(for_each, of_several_errors_the_first_in_the_range_is_told)
 
 namespace {
 
-/// What is told where parts of several threads fail.
+/// Returns the error of a loop in which parts fail on several threads.
 std::string error_of_shared_parts()
 {
     return error_text<std::runtime_error>([] {
@@ -115,7 +115,7 @@ TEST(for_each, of_several_errors_the_first_is_told_inside_a_loop_on_threads_too)
         true,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                errors[i] = error_of_shared_parts(); // here one thread has the parts of four
+                errors[i] = error_of_shared_parts(); // here one thread does the parts of four threads
         },
         1);
     EXPECT_EQ(errors, std::vector<std::string>(4, "3000"));
@@ -132,7 +132,7 @@ TEST(for_each, shared_parts_are_done_once_by_whoever_is_free)
                     EXPECT_LE(end - begin, 10);
                     for (std::size_t i = begin; i < end; ++i)
                         ++visits[i];
-                    // Who has the first part is held up until all others are done, which must not wait for it.
+                    // The thread with the first part waits until all other parts are done. These must not wait for it.
                     const auto left = [&] {
                         return std::ranges::count_if(visits, [](const auto& n) { return n == 0; });
                     };
@@ -161,7 +161,7 @@ TEST(for_each, parts_are_ranges_without_gaps)
 
 namespace {
 
-/// In how many parts a loop is cut.
+/// Returns the number of parts of a loop.
 std::size_t parts_of_loop(std::size_t size)
 {
     std::atomic<std::size_t> parts = 0;
@@ -192,7 +192,7 @@ TEST(for_each, a_program_says_how_many_threads_it_has)
 TEST(for_each, levels_of_fewer_than_ten_thousand_faces_are_made_by_one_thread)
 {
     const thread_count four(4);
-    kith::detail::faces_worth_threads = 10'000; // as it is in programs
+    kith::detail::faces_worth_threads = 10'000; // the default value in programs
     const auto threads_at = [](const kith::basic_mesh<std::array<double, 3>>& mesh) {
         const level_type level(mesh);
         std::mutex mutex;

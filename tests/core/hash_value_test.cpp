@@ -15,7 +15,7 @@ using kith::hash_value;
 
 namespace {
 
-/// The same mesh from a file that lists its faces in another order and each from another corner.
+/// Returns the shape with its faces in another order, each beginning with another corner.
 shapes::shape shuffled(shapes::shape s, std::uint32_t seed)
 {
     std::minstd_rand random(seed);

@@ -17,7 +17,7 @@ using kith::common_vertex;
 using kith::edge_between;
 using kith::shared_edge;
 
-/// 3 x 2 vertices, numbered row by row; face 0 to the left of face 1.
+/// A grid of 3 x 2 vertices, numbered row by row. Face 0 lies to the left of face 1.
 struct two_quads {
     mesh3d mesh = kith::make_mesh(
         std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}},
@@ -37,7 +37,7 @@ TEST(incidence, edge_between_two_vertices)
     ASSERT_TRUE(e);
     EXPECT_EQ((std::set{e->org().index(), e->dst().index()}), (std::set<std::size_t>{1, 4}));
     EXPECT_FALSE(e->is_boundary());
-    EXPECT_TRUE(edge_between(m.v(3), m.v(0))->is_boundary()); // by the last edge of the fan
+    EXPECT_TRUE(edge_between(m.v(3), m.v(0))->is_boundary()); // found by the last edge of the fan
     EXPECT_TRUE(edge_between(m.v(0), m.v(3))->is_boundary());
     EXPECT_FALSE(edge_between(m.v(0), m.v(4))); // across a face
     EXPECT_FALSE(edge_between(m.v(0), m.v(0)));

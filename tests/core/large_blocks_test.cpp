@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t mebibyte = std::size_t(1) << 20;
 
-/// Blocks of their own, which keep something under the sanitizers, too.
+/// A test with its own large blocks, which keep freed blocks even under the sanitizers.
 class large_blocks_test : public testing::Test {
 protected:
     large_blocks_test() { blocks.keep_at_most(1024 * mebibyte); }
@@ -107,7 +107,7 @@ TEST_F(large_blocks_test, another_size_gets_a_block_of_its_own)
     blocks.free(first, 64 * mebibyte);
     void* const second = blocks.allocate(8 * mebibyte);
     EXPECT_NE(second, first);
-    EXPECT_EQ(blocks.kept(), 64 * mebibyte); // in use and kept: within an eighth more than was in use
+    EXPECT_EQ(blocks.kept(), 64 * mebibyte); // used and kept: at most an eighth more than was in use
     blocks.free(second, 8 * mebibyte);
 }
 

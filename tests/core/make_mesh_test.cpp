@@ -56,7 +56,7 @@ TEST(make_mesh, stores_each_face_from_its_smallest_vertex_on)
 TEST(make_mesh, takes_values_at_corners_along)
 {
     const polygons faces{{3, 0, 1, 4}, {1, 2, 5}, {5, 4, 1}};
-    const std::vector<int> values{13, 10, 11, 14, 21, 22, 25, 35, 34, 31}; // ten times the face and the vertex
+    const std::vector<int> values{13, 10, 11, 14, 21, 22, 25, 35, 34, 31}; // ten times the face number, plus the vertex
     const auto mesh = kith::make_mesh(some_points(6), faces);
     const auto at_corners = kith::values_at_corners(faces, values);
     std::vector<int> expected;
@@ -127,7 +127,7 @@ TEST(make_mesh, refuses_a_moebius_strip)
 
 TEST(make_mesh, tells_a_turned_face_beside_a_one_sided_surface)
 {
-    // The strip, and two triangles of which one is turned.
+    // The strip, and two triangles, one of which is turned round.
     const std::string text = refusal(10, {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 3, 0, 5}, {6, 7, 8}, {6, 7, 9}});
     EXPECT_NE(text.find("edge 0-3: faces 0 and 2 run through it in the same direction, and reversing"), text.npos);
     EXPECT_NE(text.find("edge 6-7: faces 3 and 4 run through it in the same direction; reverse one of them"),

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// An operand: the number i, which every kind of values turns into a value of its own.
+/// An operand: the number i, which each type of values converts to its own value.
 struct operand : kith::mask_base {
     int i;
     explicit operand(int i) : i(i) {}
@@ -27,7 +27,7 @@ struct operand : kith::mask_base {
     }
 };
 
-/// Writes the operations down: what is added to what, in which order.
+/// Values that write down the operations of a mask in their order.
 struct written {
     using scalar = double;
     using sum = std::string;
@@ -49,7 +49,7 @@ struct exact {
     static void scale(rational& total, rational weight) { total *= weight; }
 };
 
-/// Counts how often it is evaluated.
+/// A mask that counts its evaluations.
 struct counted : kith::mask_base {
     static inline int evaluations = 0;
     template <class Values>

@@ -20,7 +20,7 @@ std::vector<std::size_t> numbers(const auto& range)
     return result;
 }
 
-/// Calls test(level through the traits, level in index arithmetic) for every shape.
+/// Calls test(level read through the traits, native level) for every shape.
 template <class Test>
 void for_each_pair(const Test& test)
 {
@@ -78,7 +78,7 @@ TEST(mesh_level, fans_at_the_boundary_start_there_wherever_the_mesh_enters)
 {
     const auto good = native(shapes::open_house());
     auto t = good.topology();
-    for (std::size_t c = 0; c < t.corners(); ++c) // the last corner of each vertex instead of the first of its fan
+    for (std::size_t c = 0; c < t.corners(); ++c) // sets the last corner of each vertex, not the first of its fan
         t.vertex_corner[t.corner_vertex[c]] = std::uint32_t(c);
     const mesh3d mesh(kith::storage<shapes::point>(good.points()), std::move(t));
     const general_level general(mesh);

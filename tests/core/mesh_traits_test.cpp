@@ -7,7 +7,7 @@
 
 namespace {
 
-/// The traits of the native mesh for a type that hides one of them.
+/// A mesh type whose traits are those of the native mesh without one member.
 struct hidden {};
 using native_traits = kith::mesh_traits<mesh3d>;
 

@@ -14,7 +14,7 @@ namespace {
 template <int Degree>
 using level = kith::level_elements<kith::native_level<shapes::point, std::uint32_t, Degree>>;
 
-/// The level that knows the degree of all faces, and the one that does not, say the same.
+/// Expects equal walks on a level with a fixed face degree and on one without.
 template <int Degree>
 void expect_same_walks(const mesh3d& mesh)
 {

@@ -22,7 +22,7 @@ using indices = std::vector<std::size_t>;
 using kith::repair_options;
 using kith::repair_step;
 
-/// Points that lie apart: vertex v at (v, v², 0).
+/// Returns distinct points: vertex v at (v, v², 0).
 std::vector<shapes::point> some_points(std::size_t n)
 {
     std::vector<shapes::point> result;
@@ -42,13 +42,13 @@ polygons faces_of(const Repaired& r)
         result.emplace_back(r.faces[f].begin(), r.faces[f].end());
     return result;
 }
-/// What make_mesh says of the result.
+/// Returns the error of make_mesh for the result, or "no error".
 template <class Repaired>
 std::string refusal(const Repaired& r)
 {
     return error_text<kith::mesh_error>([&] { kith::make_mesh(r.points, r.faces); });
 }
-/// Maps fit the result: points, the corners of faces, and where old corners went.
+/// Expects that the maps of the result agree with its points, its faces and the old corners.
 template <class Points, class Repaired>
 void expect_maps(const Points& points, const polygons& faces, const Repaired& r)
 {
@@ -80,7 +80,7 @@ const polygons bow_tie{{0, 1, 2}, {0, 3, 4}};                     // of 5
 const polygons book{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};             // of 5
 const polygons turned{{0, 1, 2}, {0, 1, 3}};                      // of 4
 
-/// A strip of n quads whose ends are joined the other way round.
+/// Returns a strip of n quads whose ends are joined with a half twist.
 polygons moebius_strip(std::size_t n)
 {
     polygons result;
@@ -172,7 +172,7 @@ TEST(repair, a_klein_bottle_is_cut_into_a_surface_with_two_sides)
 {
     polygons bottle;
     const std::size_t n = 6;
-    const auto at = [&](std::size_t i, std::size_t j) { // the ends are joined with j reversed
+    const auto at = [&](std::size_t i, std::size_t j) { // joins the ends with j reversed
         return i < n ? i * n + j % n : (n - j % n) % n;
     };
     for (std::size_t i = 0; i < n; ++i)
@@ -222,7 +222,7 @@ TEST(repair, three_sheets_at_an_edge_get_an_edge_each)
     EXPECT_EQ(r.report.lines()[0], "edge 0-1: cut, as it has 3 faces");
 }
 
-/// A fin on an edge inside a sheet: the sheet stays whole.
+/// The sheet stays whole if a fin on one of its inner edges is cut off.
 TEST(repair, a_sheet_stays_whole_where_a_fin_is_cut_off)
 {
     auto [points, faces] = shapes::grid(2, 2); // 3 x 3 vertices
@@ -239,7 +239,7 @@ TEST(repair, a_sheet_stays_whole_where_a_fin_is_cut_off)
     EXPECT_EQ(r.points.size(), 12U);
     const auto mesh = kith::make_mesh(r.points, r.faces);
     EXPECT_EQ(mesh.edge_count(), 12U + 3U);
-    const auto dropped = kith::repair(points, with_fin, {.drop = true}); // the smaller part of the surface goes
+    const auto dropped = kith::repair(points, with_fin, {.drop = true}); // removes the smaller part of the surface
     EXPECT_EQ(faces_of(dropped), faces);
     EXPECT_EQ(dropped.points.size(), 9U);
 }
@@ -259,7 +259,7 @@ TEST(repair, two_boxes_that_share_an_edge_become_two_boxes)
     const auto whole = kith::repair(cubes.points, cubes.faces, {.drop = true, .split = true});
     const auto mesh = kith::make_mesh(whole.points, whole.faces);
     EXPECT_EQ(mesh.vertex_count(), 16U);
-    EXPECT_EQ(mesh.edge_count(), 24U); // all closed
+    EXPECT_EQ(mesh.edge_count(), 24U); // both are closed
 }
 
 TEST(repair, faces_beyond_two_at_an_edge_are_left_out)
@@ -267,7 +267,7 @@ TEST(repair, faces_beyond_two_at_an_edge_are_left_out)
     const auto r = mended(5, book, {.drop = true});
     EXPECT_EQ(faces_of(r), (polygons{{0, 1, 2}, {1, 0, 3}}));
     EXPECT_EQ(r.report.lines()[0], "face 2: left out, as edge 0-1 has 3 faces");
-    // The direction of two of three makes no difference where faces may be turned.
+    // If faces may be turned, the directions of two of the three faces make no difference.
     const auto oriented = mended(5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}, {.drop = true, .orient = true});
     EXPECT_EQ(faces_of(oriented), (polygons{{0, 1, 2}, {0, 3, 1}}));
     EXPECT_EQ(oriented.report.lines()[1], "face 1: turned round");
@@ -281,13 +281,13 @@ TEST(repair, faces_turned_against_each_other_are_turned_back)
     EXPECT_EQ(r.report.text(), "face 1: turned round");
 
     auto [points, faces] = shapes::cube();
-    for (const std::size_t f : {0U, 4U}) { // the fewer ones are turned
+    for (const std::size_t f : {0U, 4U}) { // the minority is turned round
         auto bad = faces;
         std::ranges::reverse(bad[f].begin() + 1, bad[f].end());
         const auto good = kith::repair(points, bad, {.orient = true});
         EXPECT_EQ(faces_of(good), faces);
         EXPECT_EQ(good.report.text(), "face " + std::to_string(f) + ": turned round");
-        const auto dropped = kith::repair(points, bad, {.drop = true}); // the one against all
+        const auto dropped = kith::repair(points, bad, {.drop = true}); // removes the one face against all others
         EXPECT_EQ(dropped.from_face.size(), 5U);
         EXPECT_EQ(std::ranges::count(dropped.from_face, f), 0);
         EXPECT_EQ(refusal(kith::repair(points, bad, {.split = true})), "no error");
@@ -320,7 +320,7 @@ TEST(repair, degenerate_faces_are_left_out)
               std::string::npos);
 }
 
-/// A face with a hole, cut open along an edge that it has on both sides.
+/// A face with a hole that contains an edge twice is cut along this edge.
 TEST(repair, a_face_that_comes_to_an_edge_twice_is_cut_there_or_left_out)
 {
     const polygons keyhole{{0, 1, 2, 3, 0, 4, 5, 6, 4}};
@@ -403,10 +403,10 @@ TEST(repair, faces_whose_vertices_are_joined_are_left_out)
     EXPECT_EQ(r.report.text(), "vertex 4: joined with vertex 0\nface 1: left out, as its vertices were joined");
 }
 
-/// Two boxes that touch in a corner have two vertices there; joining them would make one with two fans.
+/// Two boxes that touch in a corner keep two vertices there. Joining these would make a vertex with two fans.
 TEST(repair, vertices_that_faces_surround_are_not_joined)
 {
-    const auto cubes = shapes::both(shapes::cube(), shapes::cube()); // one in the place of the other
+    const auto cubes = shapes::both(shapes::cube(), shapes::cube()); // both at the same place
     const auto r = kith::repair(cubes.points, cubes.faces, {.weld = 0});
     EXPECT_EQ(faces_of(r), cubes.faces);
     EXPECT_TRUE(kith::coinciding_vertices(cubes.points, kith::face_list(cubes.faces)).empty());
@@ -490,7 +490,7 @@ TEST(repair, twice_as_many_faces_take_about_twice_as_long)
     const auto seconds = [](std::size_t n, const auto& work) {
         double least = 1e9;
         for (int i = 0; i < 3; ++i) {
-            const std::clock_t start = std::clock(); // of this process, whatever else runs
+            const std::clock_t start = std::clock(); // time of this process only
             work(n);
             least = std::min(least, double(std::clock() - start) / CLOCKS_PER_SEC);
         }
@@ -500,7 +500,7 @@ TEST(repair, twice_as_many_faces_take_about_twice_as_long)
         const double once = seconds(1000, work), four_times = seconds(4000, work);
         EXPECT_LT(four_times, 9 * once + .01) << name; // quadratic: 16
     };
-    expect_linear("cracks", [](std::size_t n) { // triangles apart
+    expect_linear("cracks", [](std::size_t n) { // unconnected triangles
         std::vector<shapes::point> points;
         polygons faces;
         for (std::size_t f = 0; f < n; ++f) {

@@ -52,7 +52,7 @@ TEST(stencil, several_threads_carry_the_same_bits_as_one)
     hierarchy levels(native(shapes::shaken(shapes::torus(16, 24))), kith::catmull_clark());
     levels.refine(2);
     const auto matrix = levels.matrix(0, 2);
-    ASSERT_GT(matrix.rows(), 4096U); // what several threads are worth
+    ASSERT_GT(matrix.rows(), 4096U); // enough rows for several threads
     const auto with_threads = [&](int count) {
         const thread_count threads(count);
         return matrix.apply(levels[0].points());
@@ -112,7 +112,7 @@ TEST(stencil, transposing_exchanges_rows_and_columns)
     EXPECT_EQ(back.row_start, matrix.row_start);
     EXPECT_EQ(back.column, matrix.column);
     EXPECT_EQ(back.weight, matrix.weight);
-    std::vector<double> first(42, 0); // the entries of column 3, one by one
+    std::vector<double> first(42, 0); // the entries of column 3, from the transposed matrix
     for (std::size_t k = transposed.begin_of_row(3); k < transposed.begin_of_row(4); ++k)
         first[std::size_t(transposed.column[k])] = transposed.weight[k];
     for (std::size_t i = 0; i < 42; ++i)
@@ -169,7 +169,7 @@ TEST(stencil, matrices_on_faces_send_values_down_and_sum_them_up)
         ASSERT_EQ(matrix.columns, mesh.face_count());
         std::vector<double> heirs(mesh.face_count());
         for (const auto f : levels.elements(2).faces()) {
-            const auto parent = levels.ancestor(2, f.handle(), 1).f; // a face of Doo-Sabin's edges has none
+            const auto parent = levels.ancestor(2, f.handle(), 1).f; // Doo-Sabin's faces of edges have none
             const auto from = parent ? levels.ancestor(1, *parent, 0).f : parent;
             ASSERT_EQ(matrix.row_start[f.index() + 1] - matrix.row_start[f.index()], from ? 1 : 0);
             if (from) {
@@ -197,7 +197,7 @@ TEST(stencil, matrices_on_corners_and_edges_are_those_of_their_fields)
     for (std::size_t c = 0; c < made.size(); ++c)
         EXPECT_NEAR(made[c], expected[c], 1e-14);
 
-    // A length: each edge gives its two pieces a half.
+    // A length: each of the two parts of an edge gets a half.
     const auto half = [](stencil_row row) {
         kith::affine<stencil_row>::scale(row, .5);
         return row;

@@ -15,7 +15,7 @@ using kith::storage;
 
 namespace {
 
-/// Counts how many of it are alive, and throws when it is told to.
+/// A type that counts its living objects and can be made to throw.
 struct counted {
     static inline int alive = 0;
     static inline int throw_at = -1;

@@ -9,7 +9,8 @@
 
 #include <gtest/gtest.h>
 
-// Meshes of other libraries: cgal_test.cpp, openmesh_test.cpp. Here the native mesh is read through its traits.
+// These tests read the native mesh through its traits. For meshes of other libraries see cgal_test.cpp and
+// openmesh_test.cpp.
 
 TEST(to_native, what_is_read_through_the_traits_is_the_mesh_itself)
 {

@@ -20,7 +20,7 @@
 #include <string>
 #include <utility>
 
-// Meshes of other libraries: cgal_test.cpp, openmesh_test.cpp. Lists of faces: make_mesh_test.cpp.
+// For meshes of other libraries see cgal_test.cpp and openmesh_test.cpp, for lists of faces make_mesh_test.cpp.
 
 TEST(validate, finds_nothing_wrong_with_good_meshes)
 {
@@ -41,7 +41,7 @@ TEST(validate, finds_points_that_are_not_finite)
 
 namespace {
 
-/// What is said of a native mesh, by all that reads one.
+/// Expects this text from validate, and as the error of the functions that read a native mesh.
 void expect_refusal(const mesh3d& mesh, const std::string& text)
 {
     EXPECT_EQ(kith::validate(mesh).text(), text);
@@ -122,7 +122,7 @@ TEST(validate, names_the_kinds_of_problems_in_a_list_of_faces)
 
 namespace {
 
-/// A mesh that promises nothing beyond its boundary, and starts its vertices anywhere.
+/// A mesh whose traits forbid next and prev on boundary half-edges, and give vertices any outgoing half-edge.
 struct island : mesh3d {
     using mesh3d::mesh3d;
 };

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// A value that can only be joined: for types that are not numbers.
+/// A value that can only be concatenated. It stands for types that are not numbers.
 struct word {
     std::string text;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that is not compiled with OpenMP and links the compiled parts, which are: it has one thread until it asks
-// for more. It ends with the number of the check that failed.
+// A program that is compiled without OpenMP and links the compiled parts, which may use OpenMP. It has one thread until
+// it asks for more. Its exit code is the number of the failed check, or 0.
 #include <kith/compiled_schemes.hpp>
 #include <kith/refine.hpp>
 #include <kith/schemes.hpp>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// How many threads the process has; one of OpenMP stays when its loop is done.
+/// Returns the number of threads of the process; 0 if there is no /proc. Threads of OpenMP remain after their loop.
 std::size_t threads()
 {
     const std::filesystem::path tasks("/proc/self/task");

@@ -57,7 +57,7 @@ Eigen::MatrixXd points_of(const shapes::shape& s)
 
 TEST(eigen, meshes_of_matrices_come_back)
 {
-    const auto shape = shapes::house(); // of quads, triangles and more
+    const auto shape = shapes::house(); // has triangles, quads and larger faces
     Eigen::MatrixXi faces = Eigen::MatrixXi::Constant(Eigen::Index(shape.faces.size()), 6, -1);
     for (std::size_t f = 0; f < shape.faces.size(); ++f)
         for (std::size_t c = 0; c < shape.faces[f].size(); ++c)
@@ -66,7 +66,7 @@ TEST(eigen, meshes_of_matrices_come_back)
     EXPECT_TRUE(same_bits(mesh, native(shape)));
     EXPECT_EQ(kith::points_as_matrix(mesh), points_of(shape));
     const Eigen::MatrixXi back = kith::faces_as_matrix(mesh);
-    EXPECT_EQ(back.cols(), 5); // of the largest face
+    EXPECT_EQ(back.cols(), 5); // the degree of the largest face
     EXPECT_TRUE(same_bits(kith::mesh_of_matrices(points_of(shape), back), mesh));
 }
 
@@ -75,7 +75,7 @@ TEST(eigen, refuses_matrices_that_are_no_mesh)
     Eigen::MatrixXi faces(1, 3);
     faces << 0, 1, 9;
     EXPECT_THROW(kith::mesh_of_matrices(points_of(shapes::cube()), faces), kith::mesh_error);
-    faces << 0, -1, 2; // a hole in a row is no shorter face
+    faces << 0, -1, 2; // a -1 inside a row does not make a shorter face
     EXPECT_THROW(kith::mesh_of_matrices(points_of(shapes::cube()), faces), kith::mesh_error);
     EXPECT_THROW(kith::mesh_of_matrices(Eigen::MatrixXd(Eigen::MatrixXd::Zero(8, 2)), faces), kith::mesh_error);
 }
@@ -95,7 +95,7 @@ TEST(eigen, igl_users_find_their_functions)
     EXPECT_EQ(f, kith::faces_as_matrix(expected));
     kith::igl::upsample(points_of(shape), faces, v, f);
     EXPECT_EQ(f.rows(), 4 * faces.rows());
-    EXPECT_EQ(v.topRows(4), points_of(shape)); // nothing is smoothed
+    EXPECT_EQ(v.topRows(4), points_of(shape)); // the scheme does not smooth
 }
 
 TEST(eigen, fixed_vectors_are_values_of_masks)
@@ -107,5 +107,5 @@ TEST(eigen, fixed_vectors_are_values_of_masks)
     std::vector<Eigen::Vector2d> values(8, Eigen::Vector2d(0, 24));
     values[0] = {12, 0};
     const auto fine = levels.carry(0, 1, std::span<const Eigen::Vector2d>(values));
-    EXPECT_LT((fine[0] - Eigen::Vector2d(5, 14)).norm(), 1e-13); // 5/12 of the first
+    EXPECT_LT((fine[0] - Eigen::Vector2d(5, 14)).norm(), 1e-13); // 5/12 of the first value
 }

@@ -8,6 +8,6 @@
 #include <kith/compiled_refine.hpp>
 #include <kith/loop.hpp>
 
-// What a program's own header would say.
+// A program has such lines in its own header.
 KITH_COMPILED_REFINE(kith::catmull_clark, surface_mesh<epick>)
 KITH_COMPILED_REFINE(kith::loop, tri_mesh)

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// The native mesh with the same elements.
+/// Returns the native mesh with the same elements.
 template <class M>
 mesh3d native_of(const M& mesh)
 {
@@ -27,7 +27,7 @@ mesh3d native_of(const M& mesh)
     return {std::move(points), lifted.topology()};
 }
 
-/// Whether a mesh has the bits of a native one.
+/// Returns true if a mesh has the faces of a native mesh, and its points bit for bit.
 template <class M>
 bool has_bits_of(const M& mesh, const mesh3d& native)
 {

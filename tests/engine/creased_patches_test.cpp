@@ -47,7 +47,7 @@ void expect_same_bits(const mesh3d& mesh, const Scheme& scheme, int levels, cons
     EXPECT_TRUE(same_bits(written_by_patches(mesh, scheme, levels, all_templates), expected));
 }
 
-/// The edges of every `each`-th number and vertex 5 are sharp.
+/// Returns creases in which every `each`-th edge, from edge 1 on, and vertex 5 are sharp.
 kith::creases sharpened(const mesh3d& mesh, int each, double sharpness, crease_method method)
 {
     kith::creases result(method);
@@ -157,8 +157,8 @@ TEST(creased_patches, refuses_creases_of_another_mesh)
               "creases: edge 9600 does not exist, there are 9600; make the creases for this mesh and level");
 }
 
-/// Catmull-Clark whose face points are drawn to the first corner, at faces that have a number, which their children
-/// halve.
+/// A state: a number at some faces, which their children inherit halved. It pulls the face point towards the first
+/// corner.
 class pulls {
 public:
     kith::sparse_values<double> of_faces;
@@ -180,7 +180,7 @@ public:
         return {of_faces.of_part(part.faces)};
     }
 };
-/// The same, which says where it is.
+/// The state pulls with for_each_place, which lists the faces that have a number.
 struct placed_pulls : pulls {
     friend bool operator==(const placed_pulls&, const placed_pulls&) = default;
     template <kith::level Level, kith::level_numbering Numbering>
@@ -243,7 +243,7 @@ TEST(creased_patches, takes_a_users_own_state_that_says_where_it_is)
     expect_same_bits(mesh, scheme, 4, "empty");
     scheme.state.of_faces.set(7, .5);
     expect_same_bits(mesh, scheme, 4, "at a face");
-    scheme.weight = .4; // templates are told apart by it, whatever the state is
+    scheme.weight = .4; // distinguishes templates, whatever the state is
     expect_same_bits(mesh, scheme, 4, "with another option");
     scheme.state.of_faces.set(8, .5);
     expect_same_bits(mesh, scheme, 4, "at two faces");

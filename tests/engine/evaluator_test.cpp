@@ -27,7 +27,7 @@ namespace {
 
 using point = std::array<double, 3>;
 
-/// The mesh with other points.
+/// Returns the mesh with its points moved.
 mesh3d moved(const mesh3d& mesh, double by)
 {
     kith::storage<point> points(mesh.points());
@@ -55,7 +55,7 @@ bool same_points(const Points& a, std::span<const point> b)
     return std::ranges::equal(a, b);
 }
 
-/// Whether an evaluator makes the points of `refine` for control points that move, and back again.
+/// Expects the points of `refine` from an evaluator whose control points move, and move back.
 template <class Scheme>
 void expect_points_of_refine(const mesh3d& mesh, const Scheme& scheme, int levels)
 {
@@ -74,7 +74,7 @@ TEST(evaluator, makes_the_points_of_refine)
         const auto mesh = native(shape);
         for (const int levels : {0, 1, under_sanitizers ? 2 : 3}) {
             expect_points_of_refine(mesh, kith::catmull_clark{}, levels);
-            expect_points_of_refine(mesh, kith::nasri_hasbini{}, levels); // without patches
+            expect_points_of_refine(mesh, kith::nasri_hasbini{}, levels); // makes no patches
         }
     }
     for (const auto& [name, shape] : shapes::triangle_shapes()) {
@@ -107,7 +107,7 @@ TEST(evaluator, keeps_creases)
     expect_points_of_refine(torus, creased, 4);
 }
 
-/// Whether values that are carried again and again are those of `carry`.
+/// Expects the values of `carry` from an evaluator that is used several times.
 template <class T, class Levels>
 void expect_values_of_carry(const Levels& levels, int from, int to)
 {
@@ -130,7 +130,7 @@ TEST(evaluator, carries_values_of_a_level)
     for (const auto& [from, to] : {std::pair(0, 4), std::pair(1, 4), std::pair(2, 3), std::pair(3, 3)}) {
         expect_values_of_carry<std::array<float, 2>>(levels, from, to);
         expect_values_of_carry<std::array<double, 4>>(levels, from, to);
-        expect_values_of_carry<double>(levels, from, to); // without patches
+        expect_values_of_carry<double>(levels, from, to); // makes no patches
     }
     EXPECT_NE(error_text<kith::mesh_error>([&] { kith::evaluator_of<double>(levels, 3, 2); }), "");
     EXPECT_NE(error_text<kith::mesh_error>([&] { kith::evaluator_of<double>(levels, 5, 6); }), "");

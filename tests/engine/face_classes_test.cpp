@@ -22,7 +22,8 @@ namespace {
 
 using classes_of_faces = kith::face_classes<std::uint32_t>;
 
-/// Whether faces have one class just where walks around them meet the same, as far as nothing is met from two sides.
+/// Expects that two faces have one class if and only if the walks around them have equal keys. Faces are left out if
+/// their neighbourhood is no disk.
 template <class Scheme>
 void expect_classes_of_walks(const mesh3d& mesh, int rings, const Scheme& scheme)
 {
@@ -51,7 +52,7 @@ TEST(face_classes, are_those_of_walks_around_the_faces)
         const auto mesh = refine(native(shape), kith::catmull_clark{}, 1);
         for (const int rings : {1, 2})
             expect_classes_of_walks(mesh, rings, kith::catmull_clark{});
-        for (const int rings : {1, 2, 3}) // of faces of several degrees
+        for (const int rings : {1, 2, 3}) // with faces of several degrees
             expect_classes_of_walks(native(shape), rings, kith::catmull_clark{});
     }
     for (const auto& [name, shape] : shapes::triangle_shapes()) {
@@ -121,9 +122,9 @@ TEST(face_classes, are_told_by_walks_where_a_neighbourhood_meets_itself)
     EXPECT_TRUE(is_disk(native(shapes::torus(9, 9)), 3));
     EXPECT_FALSE(is_disk(native(shapes::torus(9, 9)), 4));
     EXPECT_TRUE(is_disk(native(shapes::torus(4, 9)), 1));
-    EXPECT_FALSE(is_disk(native(shapes::torus(3, 9)), 1)); // a vertex is met from both sides
+    EXPECT_FALSE(is_disk(native(shapes::torus(3, 9)), 1)); // the walk reaches a vertex from both sides
     EXPECT_FALSE(is_disk(native(shapes::torus(4, 9)), 2));
-    EXPECT_TRUE(is_disk(native(shapes::grid(4, 5)), 3)); // a boundary is no other side
+    EXPECT_TRUE(is_disk(native(shapes::grid(4, 5)), 3)); // a boundary does not count as another side
     EXPECT_TRUE(
         is_disk(native(shapes::tetrahedron()), 1)); // all faces, around a vertex in the middle of which nobody asks
     EXPECT_FALSE(is_disk(native(shapes::tetrahedron()), 2));

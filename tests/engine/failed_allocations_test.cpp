@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lets every allocation of the library fail, once and for ever after: std::bad_alloc comes out, and all is as before.
+// Lets every allocation of the library fail, alone and with all later ones. Functions then throw std::bad_alloc and
+// leave everything as it was.
 #include "support/failing_allocations.hpp"
 
 #include "support/native_shape.hpp"
@@ -34,12 +35,12 @@ namespace {
 using point = std::array<double, 3>;
 namespace fails = failing_allocations;
 
-/// Catmull-Clark whose templates are kept for no other call, so that each call makes them.
+/// Catmull-Clark without equality: its templates are not kept for other calls, so that each call makes them.
 struct forgetful : kith::catmull_clark {
     friend bool operator==(const forgetful&, const forgetful&) = delete;
 };
 
-/// Lets every allocation of run() fail. Without an error is_done() holds, after one is_as_before().
+/// Lets every allocation of run() fail. Expects is_done() if run() does not throw, and is_as_before() if it does.
 template <class Prepare, class Run, class IsDone, class IsAsBefore>
 void expect_all_or_nothing(const Prepare& prepare, const Run& run, const IsDone& is_done,
                            const IsAsBefore& is_as_before)
@@ -57,7 +58,7 @@ void expect_all_or_nothing(const Prepare& prepare, const Run& run, const IsDone&
     EXPECT_GT(failed, 3);
 }
 
-/// The same of a function that changes nothing and returns the same each time.
+/// Lets every allocation of a function fail that changes nothing. Expects an equal value or an error each time.
 template <class Function, class Same>
 void expect_value_or_error(const Function& function, const Same& same)
 {
@@ -74,7 +75,7 @@ constexpr auto same_values = [](const auto& a, const auto& b) { return std::rang
 
 const mesh3d house = native(shapes::shaken(shapes::open_house()));
 
-/// How a hierarchy is, told by its levels.
+/// The state of a hierarchy: the levels that it holds and can undo.
 template <class Levels>
 struct levels_as_they_are {
     int depth, undone;
@@ -100,8 +101,8 @@ struct levels_as_they_are {
     }
 };
 
-/// Lets every allocation of change(levels) fail, with new levels from make() each time. Afterwards, too, they can be
-/// changed.
+/// Lets every allocation of change(levels) fail, with new levels from make() each time. After an error the levels are
+/// as before and can still be changed.
 template <class Make, class Change>
 void expect_levels_or_error(const Make& make, const Change& change)
 {

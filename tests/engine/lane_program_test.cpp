@@ -16,7 +16,7 @@ using value = kith::recorded<double>;
 using record = kith::affine<value>;
 using tape_type = kith::tape<double>;
 
-/// Adds and scales numbers as it is told, and records the same.
+/// A sum that adds and scales numbers and records the same operations.
 struct twin {
     record::sum recorded;
     double number;
@@ -35,7 +35,7 @@ struct twin {
     }
 };
 
-/// Values that were there or have been made, as numbers and on the tape.
+/// Input values and computed values, both as numbers and on the tape.
 class twins {
 public:
     explicit twins(std::size_t inputs) : recording_(tape)
@@ -78,8 +78,8 @@ KITH_LANES_OF_64_BYTES void run_64(const kith::lane_program<double>& program, do
 }
 #endif
 
-/// The outputs in each of so many lanes, where lane k has the inputs times 2 to the power of k, which changes no
-/// rounding.
+/// Expects right outputs in each of `Width` lanes. Lane k has the inputs times 2 to the power of k, which does not
+/// change rounding.
 template <std::size_t Width, class Run>
 void expect_outputs_in_lanes(const twins& t, const std::vector<std::uint32_t>& outputs, const Run& run_program)
 {

@@ -43,7 +43,7 @@ bool same_level(const kith::basic_mesh<Point, Index>& a, const kith::basic_mesh<
     return same_bits(a, b) and a.generation() == b.generation();
 }
 
-/// Whether there was something to compare.
+/// Expects the levels of single steps from patches, for several costs. Returns false if there was nothing to compare.
 template <class Point, class Index, class Scheme>
 bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {
@@ -83,7 +83,7 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
     const auto triangles = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::pentacube()), 5)));
     const auto open = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(5, 6)), 7)));
     const int levels = under_sanitizers ? 3 : 4;
-    const int most_levels = under_sanitizers ? 4 : 7; // of schemes that double faces
+    const int most_levels = under_sanitizers ? 4 : 7; // for schemes that double the number of faces
     EXPECT_TRUE(compare(quads, kith::catmull_clark{}, levels));
     EXPECT_TRUE(compare(polygons, kith::catmull_clark{}, levels));
     EXPECT_TRUE(compare(triangles, kith::loop{.weights = kith::loop_weights::warren, .sharpness = {}}, levels));
@@ -148,7 +148,7 @@ TEST(refine_in_patches, makes_the_last_levels_of_a_hierarchy)
     expect_hierarchy_in_patches(native(shapes::triangulated(shapes::torus(24, 12))), kith::loop{}, 5);
 }
 
-/// The last level, filled by registers of so many bytes.
+/// Returns the last level, computed with registers of `lane_bytes` bytes.
 template <class Point, class Index, class Scheme>
 kith::basic_mesh<Point, Index> filled_by_lanes(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
                                                std::size_t lane_bytes)
@@ -197,7 +197,7 @@ TEST(refine_in_patches, makes_the_same_bits_with_registers_of_any_width)
         kith::basic_mesh<std::array<float, 3>>(std::move(points), open.topology()), kith::catmull_clark{}, 3);
 }
 
-/// What lies together on the surface lies far apart in these meshes.
+/// Returns a mesh in which neighbours on the surface have distant numbers.
 mesh3d scattered_triangles()
 {
     return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(64, 64)), 3)));
@@ -219,7 +219,7 @@ TEST(refine_in_patches, makes_the_same_bits_of_a_scattered_mesh_in_the_order_of_
                                refined_by_levels(mesh, scheme, levels, connect::faces)));
         EXPECT_TRUE(same_level(written_by_patches(mesh, scheme, levels, costs), everything));
     };
-    constexpr double from_control_mesh = 1, later = 0; // are the faces of the control mesh taken for alike?
+    constexpr double from_control_mesh = 1, later = 0; // values of share_if_alike: where patches begin
     const auto triangles = scattered_triangles();
     compare_scattered(triangles, kith::catmull_clark{}, 3, later);
     if (under_sanitizers)
@@ -261,23 +261,23 @@ TEST(refine_in_patches, leaves_small_patches_of_a_scattered_mesh_to_the_order_of
         kith::no_last_level none(last);
         return kith::refinement_run(mesh, scheme, levels, costs).make_in_patches(none).has_value();
     };
-    // Of sizes that no other test refines: what has been looked at in vain is not looked at again.
+    // No other test refines meshes of these sizes: after a vain look, meshes of equal size are not looked at again.
     const auto scattered = native(shapes::shuffled(shapes::triangulated(shapes::torus(62, 66)), 3));
     EXPECT_FALSE(makes(scattered, kith::loop{}, 1, connect::everything)); // patches of 4 faces
-    EXPECT_FALSE(makes(scattered, kith::loop{}, 2, connect::faces));      // of 16
+    EXPECT_FALSE(makes(scattered, kith::loop{}, 2, connect::faces));      // patches of 16 faces
     EXPECT_TRUE(makes(scattered, kith::loop{}, 2, connect::everything));
-    if (not under_sanitizers) { // it is large
+    if (not under_sanitizers) { // the result is large
         EXPECT_TRUE(makes(scattered, kith::loop{}, 3, connect::faces));
     }
     EXPECT_TRUE(makes(native(shapes::triangulated(shapes::torus(61, 66))), kith::loop{}, 1, connect::everything));
-    // No order of the surface.
-    EXPECT_TRUE(makes(scattered, kith::doo_sabin{}, 2, connect::faces)); // from the first level on
+    // Doo-Sabin has no surface order.
+    EXPECT_TRUE(makes(scattered, kith::doo_sabin{}, 2, connect::faces)); // patches begin with the first level
     costs.share_if_alike = 0;
     EXPECT_FALSE(makes(scattered, kith::doo_sabin{}, 3, connect::faces));
     EXPECT_TRUE(makes(native(shapes::torus(62, 65)), kith::doo_sabin{}, 3, connect::faces));
 }
 
-/// A scheme of a user's own: masks inside masks, weights by valence, and a ring that is walked twice.
+/// A user-defined scheme with masks inside masks, weights by valence, and a ring that is walked twice.
 struct own_scheme {
     static constexpr auto traits()
     {
@@ -305,7 +305,7 @@ struct own_scheme {
     }
 };
 
-/// A scheme that only moves points: each face has one child, so that patches would have any number of steps.
+/// A scheme that only moves points. Each face has one child, so that any number of steps would fit into a patch.
 struct smoothing {
     static constexpr auto traits()
     {
@@ -377,12 +377,12 @@ TEST(refine_in_patches, knows_where_the_columns_of_as_many_steps_begin_as_a_path
         bases[step].faces[std::size_t(tuple_kind::vfe)] = 7 + step;
         bases[step].faces_of_each[std::size_t(tuple_kind::vfe)] = 2 * 4;
         path = path.then(tuple_kind::vfe);
-        expected = 7 + step + 2 * 4 * expected; // two for each corner of a quad
+        expected = 7 + step + 2 * 4 * expected; // two children for each corner of a quad
     }
     EXPECT_EQ(path.base(tuple_kind::f, bases, 4), expected);
     EXPECT_EQ(kith::column_path().base(tuple_kind::f, bases, 4), 0U);
 
-    // A face of a corner, its side of an edge, the vertex there.
+    // The path: a face of a corner, its side of an edge, the vertex there.
     std::vector<kith::column_bases> three(3);
     three[0].faces[std::size_t(tuple_kind::vf)] = 5;
     three[0].faces_of_each[std::size_t(tuple_kind::vf)] = 4;
@@ -401,7 +401,7 @@ TEST(refine_in_patches, takes_a_scheme_of_a_users_own)
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::grid(4, 5))), own_scheme(), 3));
 }
 
-/// A dual scheme of a user's own; one that says nothing of valences beside it.
+/// A user-defined dual scheme, which declares its valence; with `Valence` 0 it declares none.
 template <int Valence>
 struct own_dual {
     static constexpr auto traits()
@@ -432,13 +432,13 @@ TEST(refine_in_patches, takes_a_dual_scheme_that_says_its_valence)
     for (const auto& shape : {shapes::house(), shapes::pentacube(), shapes::both(shapes::house(), shapes::torus(3, 5))})
         for (const int levels : {2, 3, 4})
             EXPECT_TRUE(compare(native(shapes::shaken(shape)), own_dual<4>(), levels));
-    // Corners of the faces of its vertices follow from the valence from the second level on, and only without a
+    // The valence determines the degrees of its faces of vertices only from the second level on, and only without a
     // boundary.
     EXPECT_FALSE(compare(native(shapes::house()), own_dual<4>(), 1));
     EXPECT_FALSE(compare(native(shapes::shaken(shapes::grid(6, 7))), kith::doo_sabin{}, 3));
 }
 
-/// 4-8 that says of several steps that they need a ring less.
+/// 4-8 that declares one ring too few for several steps.
 struct nearsighted : kith::four_eight {
     static constexpr auto traits()
     {
@@ -467,8 +467,8 @@ TEST(refine_in_patches, needs_the_rings_that_4_8_says_of_several_steps)
     EXPECT_GT(wrong, 0);
 }
 
-/// A quad for each edge, between its ends and the points of its two faces, which all edges have: it cannot refine a
-/// part of a mesh, which has a rim, whatever it says of its reach.
+/// A scheme with a quad for each edge, between its ends and the points of its two faces. Every edge must have two
+/// faces. So the scheme cannot refine a part of a mesh, which has a boundary, whatever its declared reach.
 struct quads_of_edges {
     static constexpr auto traits()
     {
@@ -516,7 +516,7 @@ TEST(refine_in_patches, leaves_schemes_for_closed_meshes_alone)
 {
     static_assert(not has_patches<quads_of_edges>);
     const auto torus = native(shapes::shaken(shapes::torus(9, 10)));
-    const auto fine = refine(torus, quads_of_edges{}, 12); // so many faces that others are refined in patches
+    const auto fine = refine(torus, quads_of_edges{}, 12); // enough faces for patches of other schemes
     EXPECT_EQ(fine.face_count(), 2U * 90 << 11);
     kith::evaluator moved(torus, quads_of_edges{}, 5);
     const auto points = moved.evaluate(torus.points());
@@ -527,11 +527,11 @@ TEST(refine_in_patches, takes_the_marks_of_any_level)
 {
     for (const auto& shape : {shapes::house(), shapes::grid(3, 4)}) {
         const auto mesh = kith::tri_quad(native(shapes::shaken(shape)));
-        EXPECT_FALSE(compare(mesh, kith::four_eight{}, 1)); // marked edges come first from the next level on
+        EXPECT_FALSE(compare(mesh, kith::four_eight{}, 1)); // only from the next level on marked edges come first
         for (int done = 1; done <= 2; ++done)
             EXPECT_TRUE(compare(refine(mesh, kith::four_eight{}, done), kith::four_eight{}, 5));
     }
-    // Its boundary is not marked as its generation says, so that levels have other counts than foreseen.
+    // Its boundary edges are not marked as its generation implies, so that the counts of levels differ from the plan.
     const auto open = kith::tri_quad(native(shapes::shaken(shapes::grid(3, 4))));
     const auto other = of_generation(open, open.generation() + 1);
     kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::four_eight> patches(
@@ -558,10 +558,10 @@ TEST(refine_in_patches, knows_where_the_corners_of_faces_of_any_degree_begin)
     bases[1].corners[kind(tuple_kind::e)] = 200;
     bases[1].vertices[kind(tuple_kind::vf)] = 1000;
     const auto path = [](tuple_kind first, tuple_kind second) { return kith::column_path().then(first).then(second); };
-    // The face of an edge, its face, and the first corner of that; a side, its face.
+    // The path: the face of an edge, its face, and the first corner of that face; then a side and its face.
     EXPECT_EQ(path(tuple_kind::e, tuple_kind::f).base(tuple_kind::vf, bases, 0), 3U + 50);
     EXPECT_EQ(path(tuple_kind::ef, tuple_kind::e).base(tuple_kind::vf, bases, 0), 200U + 4 * 7);
-    // The vertex of the first corner of the face of an edge.
+    // The path: the vertex of the first corner of the face of an edge.
     EXPECT_EQ(path(tuple_kind::e, tuple_kind::vf).base(tuple_kind::v, bases, 0), 1000U + 50);
 }
 
@@ -578,7 +578,7 @@ TEST(refine_in_patches, keeps_templates_for_one_scheme_and_any_mesh)
         EXPECT_TRUE(compare(more, warren, 3));
         EXPECT_TRUE(compare(more, warren, 2));
     }
-    for (const std::size_t n : {8, 9, 12}) // the numbers of all columns begin elsewhere
+    for (const std::size_t n : {8, 9, 12}) // the numbers of all columns begin at other values
         EXPECT_TRUE(compare(native(shapes::shaken(shapes::torus(n, n + 1))), kith::catmull_clark{}, 3));
     using templates = kith::kept_templates<double, std::uint32_t>;
     const auto made = templates::of(warren, 0, 2, 3).keep(u"around", {});
@@ -608,7 +608,7 @@ TEST(refine_in_patches, gives_up_templates_that_nobody_has_asked_for_longest)
 
 TEST(refine_in_patches, makes_templates_for_levels_that_are_made_again_and_again)
 {
-    const kith::catmull_clark scheme{.corners = kith::boundary_corner::smoothed}; // of this test alone
+    const kith::catmull_clark scheme{.corners = kith::boundary_corner::smoothed}; // no other test uses these options
     const auto expect_templates = [&](const mesh3d& mesh, int levels, bool are_made) {
         const auto plan = kith::plan_patches(count(mesh.topology()), mesh.topology().degree, scheme, levels, 0);
         ASSERT_TRUE(plan);
@@ -617,13 +617,13 @@ TEST(refine_in_patches, makes_templates_for_levels_that_are_made_again_and_again
         const auto faces = std::size_t(plan->last().faces);
         const auto given = refined_by_levels(mesh, scheme, levels, connect::everything);
         EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
-        EXPECT_TRUE(kept.empty()); // made once they cost more than they save
+        EXPECT_TRUE(kept.empty()); // for one refinement they would cost more than they save
         EXPECT_EQ(kept.demand(faces, connect::everything).made, faces);
         for (int again = 0; again < 8; ++again)
             EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
         EXPECT_EQ(not kept.empty(), are_made);
         EXPECT_EQ(kept.demand(faces, connect::everything).next_look == 0, are_made);
-        EXPECT_EQ(kept.demand(faces, connect::faces).made, 0); // nobody has asked for these
+        EXPECT_EQ(kept.demand(faces, connect::faces).made, 0); // no call has asked for faces alone
     };
     const auto unlike = shapes::with_flips(shapes::triangulated(shapes::torus(15, 15)), 3, 900);
     expect_templates(native(unlike), 4, false); // each would serve one face
@@ -693,25 +693,26 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
     EXPECT_TRUE(looks(torus, kith::loop{}, 4));
     EXPECT_FALSE(looks(torus, kith::loop{}, 0));
     EXPECT_FALSE(looks(native(shapes::tetrahedron()), kith::loop{}, 4));  // few faces
-    EXPECT_FALSE(looks(refine(torus, kith::loop{}, 2), kith::loop{}, 1)); // looking costs more than making the faces
-    // Where edges run and fans start at random patches begin with the next level, if they are large.
+    EXPECT_FALSE(looks(refine(torus, kith::loop{}, 2), kith::loop{}, 1)); // the search costs more than refining
+    // If the directions of edges and the starts of fans are random, large patches begin with the next level.
     const auto unlike = native(shapes::with_flips(shapes::triangulated(shapes::torus(100, 100)), 3, 20000));
     EXPECT_TRUE(looks(unlike, kith::loop{}, 4));
     EXPECT_TRUE(looks(unlike, kith::loop{}, 3));
     EXPECT_FALSE(looks(unlike, kith::loop{}, 2));
     EXPECT_FALSE(
         looks(native(shapes::with_flips(shapes::triangulated(shapes::torus(50, 50)), 3, 5000)), kith::loop{}, 3));
-    EXPECT_FALSE(looks(unlike, kith::sqrt3{}, 4)); // small patches of the third level
+    EXPECT_FALSE(looks(unlike, kith::sqrt3{}, 4)); // the patches from the third level are small
     EXPECT_FALSE(looks(unlike, kith::butterfly{}, 3));
     EXPECT_TRUE(looks(native(shapes::triangulated(shapes::torus(100, 100))), kith::loop{}, 3));
-    EXPECT_TRUE(looks(native(shapes::tetrahedron()), kith::loop{}, 9)); // few kinds, whatever they are
-    // Its columns ask where the boundary is.
+    EXPECT_TRUE(looks(native(shapes::tetrahedron()), kith::loop{}, 9)); // few classes in any case
+    // The columns of sqrt(3) depend on the boundary.
     EXPECT_FALSE(looks(native(shapes::triangulated(shapes::grid(40, 40))), kith::sqrt3{}, 6));
 }
 
 TEST(refine_in_patches, tells_a_thin_tube_from_a_thick_one)
 {
-    // Fans are alike, but around the thin one a vertex is met from two sides: it must not be the model for the other.
+    // Fans are alike, but a walk around the thin tube reaches a vertex from two sides. So the thin tube must not be the
+    // model for the thick one.
     const auto thin = shapes::torus(3, 9), thick = shapes::torus(9, 9);
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(thin, thick))), kith::catmull_clark{}, 3));
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(thick, thin))), kith::catmull_clark{}, 3));
@@ -725,7 +726,7 @@ TEST(refine_in_patches, does_not_look_at_more_faces_around_a_face_than_it_can_nu
     constexpr std::size_t faces = 600; // all of which lie around the apex
     static_assert(faces > kith::face_walk<std::uint32_t>::most_faces);
     EXPECT_TRUE(compare(native(shapes::umbrella(faces)), kith::loop{}, 2));
-    // Nor where it has just looked at others.
+    // This also holds just after other faces were looked at.
     const auto torus = shapes::triangulated(shapes::torus(9, 9));
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(torus, shapes::umbrella(faces)))), kith::loop{}, 2));
 }

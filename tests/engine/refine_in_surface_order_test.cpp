@@ -25,7 +25,7 @@ using kith::connect;
 template <class Scheme>
 constexpr bool is_orderable = kith::orderable_scheme<Scheme, std::uint32_t>;
 
-/// Large enough to be scattered.
+/// Returns a mesh that is large enough to count as scattered.
 mesh3d scattered_torus()
 {
     return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(64, 64)), 7)));
@@ -71,7 +71,7 @@ TEST(refine_in_surface_order, is_what_refine_does_with_a_scattered_mesh)
     };
     expect_same(scattered_torus(), kith::catmull_clark{});
     expect_same(scattered_grid(), kith::loop{});
-    if (under_sanitizers) // one closed mesh and one that is open take all ways
+    if (under_sanitizers) // the closed and the open mesh before cover all branches
         return;
     expect_same(scattered_torus(), kith::sqrt3{});
     expect_same(scattered_torus(), kith::butterfly{});
@@ -90,20 +90,20 @@ TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
 {
     const auto torus = scattered_torus(), grid = scattered_grid();
     EXPECT_FALSE(gains_by_order(torus.topology(), kith::loop{}, 1));
-    // Levels are to be large, those with all connectivity larger.
+    // Levels must be large for a gain; larger if they have all connectivity.
     EXPECT_FALSE(is_worth_ordering(torus, kith::loop{}, 2, connect::faces));
     EXPECT_TRUE(is_worth_ordering(torus, kith::loop{}, 3, connect::faces));
     EXPECT_FALSE(is_worth_ordering(torus, kith::loop{}, 3, connect::everything));
     EXPECT_TRUE(is_worth_ordering(torus, kith::loop{}, 4, connect::everything));
     EXPECT_FALSE(gains_by_order(native(shapes::torus(60, 60)).topology(), kith::catmull_clark{}, 2));
-    // The columns of sqrt(3) ask where the boundary is, and creases are kept by the numbers of edges.
+    // The columns of sqrt(3) depend on the boundary, and creases are stored by edge numbers.
     EXPECT_FALSE(gains_by_order(grid.topology(), kith::sqrt3{}, 2));
     kith::loop creased;
     creased.sharpness.sharpen_edge(0, 2.);
     EXPECT_FALSE(gains_by_order(torus.topology(), creased, 2));
     EXPECT_TRUE(same_bits(refine(torus, creased, 2, {.last_level = connect::faces}),
                           refined_by_levels(torus, creased, 2, connect::faces)));
-    // Faces of several degrees; columns that pick marked edges.
+    // Doo-Sabin makes faces of several degrees; 4-8 has columns of marked edges.
     static_assert(not is_orderable<kith::doo_sabin> and not is_orderable<kith::four_eight>);
 }
 

@@ -26,7 +26,7 @@ using kith::refine;
 
 namespace {
 
-/// Catmull-Clark until it is run.
+/// Catmull-Clark that throws when it is run.
 struct never_run : kith::catmull_clark {
     template <class R>
     void operator()(const R&) const
@@ -35,7 +35,7 @@ struct never_run : kith::catmull_clark {
     }
 };
 
-/// Makes of each face a frame around a hole: what is closed has a boundary then.
+/// A scheme that makes a frame around a hole of each face, so that a closed mesh gets a boundary.
 template <bool Trusted>
 struct frames {
     static constexpr auto traits() { return kith::scheme_traits{.name = "frames", .trusted = Trusted}; }
@@ -168,7 +168,7 @@ TEST(refine, refuses_triangles_back_to_back_of_which_edges_with_the_same_ends_wo
     EXPECT_EQ(why(kith::linear_triangles()), expected("linear-triangles"));
     EXPECT_EQ(why(kith::doo_sabin()), expected("doo-sabin"));
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(native(pillow), kith::loop()); }), expected("loop"));
-    auto beside = shapes::tetrahedron(); // another part of the mesh is no excuse
+    auto beside = shapes::tetrahedron(); // the error is found beside a valid component, too
     for (std::size_t i = 0; i < 3; ++i)
         beside.points.push_back(pillow.points[i]);
     beside.faces.push_back({4, 5, 6});
@@ -195,7 +195,7 @@ TEST(refine, what_it_makes_it_takes_again_as_lists_of_faces)
             EXPECT_NO_THROW({
                 const auto again = kith::make_mesh(fine.points(), faces_of(fine));
                 EXPECT_EQ(again.edge_count(), fine.edge_count());
-                if (not std::same_as<Scheme, kith::four_eight>) // whose marks no list of faces has
+                if (not std::same_as<Scheme, kith::four_eight>) // a list of faces has no marks
                     refine(again, scheme, 1);
             });
         }

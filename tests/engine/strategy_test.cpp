@@ -86,7 +86,7 @@ TEST(strategy, can_be_forced)
     EXPECT_EQ(explain(large), "level by level: as asked for");
 }
 
-/// Everything that native doors make of a mesh.
+/// The results of all functions that refine a native mesh.
 struct made_by_doors {
     mesh3d faces, everything;
     std::vector<mesh3d> levels;

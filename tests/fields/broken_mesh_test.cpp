@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes of CGAL and OpenMesh that were joined by hand, and not well: whatever reads them refuses them.
+// Meshes of CGAL and OpenMesh that were linked wrongly by hand. All functions that read a mesh refuse them.
 #include <CGAL/Simple_cartesian.h>
 
 #include "support/cgal_mesh.hpp"
@@ -85,7 +85,7 @@ void expect_all(const refusals& told, const std::string& text)
     EXPECT_EQ(told.convert, text);
 }
 
-/// A mask that is not asked for anything.
+/// A mask whose functions must not be called.
 struct no_mask {
     template <class Face>
     void face_node(Face, kernel::Point_3&)
@@ -127,7 +127,7 @@ TEST(broken_mesh, a_face_whose_half_edges_run_back_to_another_than_its_first)
     expect_all(refusals_of(theirs), "face 1" + open_face);
     EXPECT_EQ(refusal([&] { kith::cgal::PTQ(theirs, no_mask(), 1); }), "face 1" + open_face);
 
-    // What walks along half-edges in the order of corners comes to an end, too.
+    // The walk along half-edges in the order of corners ends, too.
     std::size_t met = 0;
     kith::detail::for_each_handle<halfedge>(theirs, [&](halfedge) { ++met; });
     EXPECT_LE(met, 4 * theirs.number_of_halfedges());
@@ -163,7 +163,7 @@ TEST(broken_mesh, a_face_without_half_edges)
     EXPECT_EQ(refusal([&] { kith::cgal::Loop_subdivision(graph, 1); }), "face 4: has 0 corners; remove it");
 }
 
-/// In meshes with a boundary there are as many half-edges as the corners of the bare face need.
+/// A face without half-edges is refused beside a boundary, too, where there are enough half-edges for its corners.
 TEST(broken_mesh, a_bare_face_beside_a_boundary)
 {
     const std::string text = "face 1: has 0 corners; remove it";
@@ -179,7 +179,7 @@ TEST(broken_mesh, a_bare_face_beside_a_boundary)
     add_face(graph);
     EXPECT_EQ(refusal([&] { kith::cgal::Loop_subdivision(graph, 1); }), text);
 
-    // The first face is removed again, the second is left.
+    // The first bare face is removed again, the second one remains.
     theirs = cgal(triangle);
     const auto removed = theirs.add_face();
     theirs.add_face();
@@ -191,7 +191,7 @@ TEST(broken_mesh, a_bare_face_beside_a_boundary)
     with_status.new_face();
     expect_all(refusals_of(with_status), "face 2: has 0 corners; remove it");
 
-    // Alone, and among quads.
+    // The bare face is alone, or beside a quad.
     cgal_mesh alone;
     alone.add_face();
     expect_all(refusals_of(alone), "face 0: has 0 corners; remove it");
@@ -210,7 +210,7 @@ TEST(broken_mesh, repair_takes_meshes_of_other_libraries)
     EXPECT_EQ(kith::convert<tri_mesh>(kith::make_mesh(dropped.points, dropped.faces)).mesh.n_faces(), 4U);
 
     auto two = cgal(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
-    for (const auto h : two.halfedges_around_target(two.halfedge(vertex(4)))) // the second one starts at vertex 0, too
+    for (const auto h : two.halfedges_around_target(two.halfedge(vertex(4)))) // the second one gets vertex 0, too
         two.set_target(h, vertex(0));
     two.remove_vertex(vertex(4));
     EXPECT_NE(kith::validate(two).text().find("vertex 0: its 6 faces form several fans"), std::string::npos);
@@ -283,7 +283,7 @@ TEST(broken_mesh, a_face_of_a_removed_edge)
         EXPECT_NE(told.dialect.find(of_open), std::string::npos)
             << told.dialect; // the copy has another list of free edges
     }
-    // Where the half-edges lead around all faces still.
+    // Here the half-edges still lead around all faces.
     auto mesh = cgal(shapes::tetrahedron());
     const auto next = mesh.next(halfedge(6));
     mesh.remove_edge(edge(3));
@@ -393,7 +393,7 @@ TEST(broken_mesh, half_edges_of_a_removed_face_lie_at_the_boundary)
         levels.refine(1);
         for (const auto v : mesh.vertices()) {
             EXPECT_EQ(fine.point(v), levels[1].point(v));
-            for (int i = 0; i < 3; ++i) // the sum begins elsewhere
+            for (int i = 0; i < 3; ++i) // sums begin with another operand
                 EXPECT_NEAR(fine.point(v)[i], expected.point(v)[i], 1e-15);
         }
         kith::cgal::Loop_subdivision(mesh, 1);
@@ -448,7 +448,7 @@ TEST(broken_mesh, elements_of_openmesh_that_are_marked_as_deleted_by_hand)
         return mesh;
     };
     const auto good = with_status(shapes::tetrahedron());
-    for (const auto f : good.faces()) { // its half-edges name it still
+    for (const auto f : good.faces()) { // its half-edges still refer to it
         auto mesh = good;
         mesh.status(f).set_deleted(true);
         std::string text;
@@ -481,7 +481,7 @@ TEST(broken_mesh, elements_of_openmesh_that_are_marked_as_deleted_by_hand)
         EXPECT_NE(told.refine.find(": one of its vertices has been removed; remove the face, too"), std::string::npos);
         expect_all(told, told.refine);
     }
-    // A component that is marked as a whole has gone, however that was said.
+    // A component whose elements are all marked as deleted is left out.
     auto mesh = with_status(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
     for (int i = 0; i < 4; ++i) {
         mesh.status(OpenMesh::FaceHandle(i)).set_deleted(true);

@@ -40,7 +40,7 @@ void expect_same_maps(const cgal_mesh& a, const cgal_mesh& b)
     expect_same(halfedge(), uv(), "h:uv");
 }
 
-/// Two solids, the first of them removed again: the numbers of the second have holes before them.
+/// Returns two solids. Tests remove the first one, so that unused numbers precede those of the second.
 shapes::shape two_solids()
 {
     auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
@@ -279,7 +279,7 @@ TEST(convert, properties_of_one_name_and_several_types_all_go)
     const auto back = kith::convert<cgal_mesh>(made.mesh).mesh;
     EXPECT_EQ((values<vertex, int>(back, "v:x")), (values<vertex, int>(control, "v:x")));
     EXPECT_EQ((values<vertex, double>(back, "v:x")), (values<vertex, double>(control, "v:x")));
-    const auto native = kith::convert<kith::property_mesh<>>(control).report; // has one per name
+    const auto native = kith::convert<kith::property_mesh<>>(control).report; // holds one property per name
     EXPECT_EQ(native.carried, std::vector<std::string>{"v:x"});
     ASSERT_EQ(native.left_out.size(), 1U);
     EXPECT_EQ(native.left_out[0].why, "another property is now named 'v:x'");

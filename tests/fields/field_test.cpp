@@ -27,7 +27,7 @@ namespace {
 
 using kith::tuple_kind;
 
-/// Compares each value of level 1 with what the origins of its elements say.
+/// Expects that each value of level 1 follows from the origin of its element.
 template <class Scheme>
 void expect_inherited(const mesh3d& mesh, const Scheme& scheme)
 {
@@ -103,7 +103,7 @@ void expect_inherited(const mesh3d& mesh, const Scheme& scheme)
     }
 }
 
-/// The numbers of the vertices of a mesh at its corners.
+/// Returns the values of vertices at the corners of a mesh.
 template <class T>
 std::vector<T> at_corners(const mesh3d& mesh, std::span<const T> values)
 {
@@ -119,7 +119,7 @@ mesh3d some_mesh(bool open)
                        : shapes::with_joins(shapes::shaken(shapes::torus(6, 6)), 3, 100));
 }
 
-/// A scheme that reads a field of its own.
+/// A scheme with a field as its state.
 struct drawn : kith::linear {
     kith::field<kith::field_on::faces, double, kith::from_parent<>> pull;
 
@@ -184,7 +184,7 @@ TEST(field, on_corners_keeps_seams)
         for (std::size_t k = 0; k < 4; ++k)
             EXPECT_EQ(with.field<0>()[4 * f + k][0], double(root));
         if (mesh.face(root).size() == 4) {
-            const std::size_t corner = f - 4 * root; // while all faces before are quads, too
+            const std::size_t corner = f - 4 * root; // if all faces before are quads, too
             const auto& first = with.field<0>()[4 * f];
             if (mesh.topology().degree == 4) {
                 EXPECT_EQ(first, texture[4 * root + corner]);
@@ -398,7 +398,7 @@ TEST(sparse_values, are_set_removed_cut_and_joined)
     EXPECT_EQ(sparse[4], 5);
     EXPECT_EQ(sparse[3], 0);
     const std::vector<std::uint32_t> some{1, 2, 2, 3, 7}, others{2, 4};
-    const auto part = sparse.of_part(std::span(some)); // a vertex with two fans is there twice
+    const auto part = sparse.of_part(std::span(some)); // a vertex with two fans occurs twice
     EXPECT_EQ(part.list(), (list{{1, 20}, {2, 20}, {4, 70}}));
     auto joined = decltype(sparse)();
     joined.add_part(part, std::span(some));

@@ -24,7 +24,7 @@ using uv = std::array<double, 2>;
 using names = std::vector<std::string>;
 using kith::field_on;
 
-/// A value of the user that is no array of numbers.
+/// A user-defined type of values that is no array of numbers.
 struct reading {
     double celsius = 0;
     friend bool operator==(const reading&, const reading&) = default;

@@ -40,7 +40,7 @@ namespace {
 using mesh_type = kith::basic_mesh<>;
 using colour = std::array<float, 4>;
 
-/// Differs from vertex to vertex in all bits.
+/// Returns values that differ from vertex to vertex.
 template <class T>
 std::vector<T> values_at_vertices(const mesh_type& mesh)
 {
@@ -72,7 +72,8 @@ template <class T>
     return ::testing::AssertionSuccess();
 }
 
-/// Levels that are large enough for patches, one by one and several at once.
+/// Expects equal values whether several levels are carried at once or one by one. Precondition: the levels are large
+/// enough for patches.
 template <class Scheme, class T>
 void expect_same_carried(const mesh_type& mesh, const Scheme& scheme, int levels)
 {
@@ -101,7 +102,7 @@ TEST(values_in_patches, are_carried_by_the_masks_to_the_same_bits)
 
 TEST(values_in_patches, come_from_templates_of_their_own_kind_of_number)
 {
-    const kith::catmull_clark scheme{.corners = kith::boundary_corner::smoothed}; // of this test alone
+    const kith::catmull_clark scheme{.corners = kith::boundary_corner::smoothed}; // no other test uses these options
     const auto mesh = native(shapes::shaken(shapes::torus(12, 24)));
     const auto plan = kith::plan_patches(kith::count(mesh.topology()), 4, scheme, 5, 0);
     ASSERT_TRUE(plan);
@@ -142,7 +143,7 @@ TEST(values_in_patches, go_along_with_a_mesh_that_is_refined_in_patches)
     }
 }
 
-/// Refines with a field of each kind that inherits, at once and step by step.
+/// Expects equal fields of each inherited kind from refinement at once and step by step.
 template <class Scheme>
 void expect_inherited(const mesh_type& control, const Scheme& scheme, int levels, bool are_corners_taken = true)
 {
@@ -208,7 +209,7 @@ TEST(values_in_patches, are_inherited_by_corners_edges_and_vertices)
     expect_inherited(quads, kith::kobbelt{}, 2);
     expect_inherited(triangles, kith::loop{}, 3);
     expect_inherited(triangles, kith::butterfly{}, 2);
-    expect_inherited(triangles, kith::sqrt3{}, 3, false); // corners come from two faces: step by step
+    expect_inherited(triangles, kith::sqrt3{}, 3, false); // corners come from two faces, which needs single steps
 }
 
 TEST(values_in_patches, are_those_of_one_kind_of_rule_each)

@@ -13,7 +13,7 @@ namespace golden {
 
 namespace {
 
-/// The files write "inf" where a number cannot.
+/// Returns a sharpness. The files contain the string "inf" for infinite sharpness, which JSON numbers cannot express.
 double read_sharpness(const nlohmann::json& text)
 {
     return text.is_string() ? std::numeric_limits<double>::infinity() : text.get<double>();

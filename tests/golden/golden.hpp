@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// The files of golden/, read; golden/README.md tells their format.
+/// The contents of the files of golden/. golden/README.md describes their format.
 namespace golden {
 
 /// The tuple of the control mesh to which a vertex belongs: "v", "e", "f", "vf" or "ve" and its numbers.
@@ -36,18 +36,18 @@ struct level {
     std::vector<std::pair<std::size_t, std::size_t>> marked_edges; ///< 4-8 only
     std::vector<key> keys;                                         ///< level 1 only
     double min_vertex_distance;                                    ///< levels 1 and above
-    /// Where the vertices end up; some files, level 1 only. Nothing where no mask is known.
+    /// The limit points of the vertices, on level 1 of some files only. A point is missing if no mask is known.
     std::vector<std::optional<std::array<double, 3>>> limit_points;
 };
 
 struct file {
     std::string name;
-    std::string corner_rule, weights, boundary, crease_method; ///< empty where the scheme knows no such choice
+    std::string corner_rule, weights, boundary, crease_method; ///< empty if the scheme has no such option
     int degree;                                                ///< of the unified scheme
     std::vector<level> levels;
 };
 
-/// All files of a scheme, by its name there, e.g. "catmull_clark".
+/// Returns all files of a scheme, given by its name in the files, such as "catmull_clark".
 std::vector<file> files_of(const std::string& scheme);
 
 } // namespace golden

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// The schemes besides those of golden_test.cpp, and creases, on the native mesh.
+// Tests of creases, and of the schemes that golden_test.cpp leaves out, on the native mesh.
 
 namespace {
 
@@ -48,7 +48,7 @@ struct nasri_hasbini_on_native {
     static void for_each(const auto& test) { for_each_file<kith::nasri_hasbini>("nasri_hasbini", test); }
 };
 
-/// The files hold tri-quad meshes, as lists of triangles and of marked edges.
+/// The test type of 4-8. Its files contain tri-quad meshes as lists of triangles and of marked edges.
 struct four_eight_on_native {
     using mesh = native;
     static void for_each(const auto& test)
@@ -96,7 +96,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(others, golden_files, other_schemes_on_native);
 
 namespace {
 
-/// The creases of every level are those of the file, found by the places of their vertices.
+/// Expects that every level has the creases of the file. Vertices are found by their places.
 template <class Scheme>
 void expect_golden_tags()
 {

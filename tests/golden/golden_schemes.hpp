@@ -13,14 +13,15 @@ inline auto corner_rule(const golden::file& f)
     return f.corner_rule == "none" ? kith::boundary_corner::smoothed : kith::boundary_corner::kept;
 }
 
-/// The control mesh of a file, as its users make it.
+/// Returns the control mesh of a file, made as users of the mesh type make it.
 template <class M>
 M control_mesh(const golden::file& f)
 {
     return user_mesh<M>::make(f.levels[0].vertices, f.levels[0].faces);
 }
 
-// Each calls test(file, control mesh, scheme) for the golden files of its scheme, set to the conventions of the file.
+// Each type calls test(file, control mesh, scheme) for the golden files of its scheme. The scheme has the options of
+// the file.
 template <class M>
 struct catmull_clark_on {
     using mesh = M;
@@ -85,7 +86,7 @@ struct unified_on {
 
 template <class M>
 using triangle_schemes_on = testing::Types<loop_on<M>, sqrt3_on<M>>;
-/// One of polygons and one of triangles: for meshes that differ from others in the type of their numbers only.
+/// A scheme of polygons and one of triangles, for meshes that differ from others only in the type of their numbers.
 template <class M>
 using two_schemes_on = testing::Types<catmull_clark_on<M>, loop_on<M>>;
 template <class M>

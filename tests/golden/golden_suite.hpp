@@ -35,7 +35,7 @@ protected:
                 size = std::max(size, std::abs(x));
         return size * user_mesh<mesh>::tolerance;
     }
-    /// The vertex is at the place of a golden one.
+    /// Expects a vertex at the place of a golden vertex.
     static void expect_near(const mesh& m, typename traits::vertex v, const golden::file& f, std::size_t level,
                             std::size_t golden_vertex)
     {
@@ -50,7 +50,7 @@ protected:
         EXPECT_EQ((std::array<std::size_t, 3>{counts.vertices, counts.edges, counts.faces}), level.counts);
         EXPECT_EQ(counts.boundary_edges, level.boundary_edges);
     }
-    /// number[i] is the golden number of vertex i.
+    /// Expects the golden faces. number[i] is the golden number of vertex i.
     static void expect_faces(const mesh& m, const golden::level& level, const std::vector<std::size_t>& number)
     {
         auto faces = faces_of(m);
@@ -59,7 +59,7 @@ protected:
                 v = number[v];
         EXPECT_EQ(as_cycles(faces), as_cycles(level.faces));
     }
-    /// The vertex of level 1 that belongs to a tuple.
+    /// Returns the vertex of level 1 that belongs to a tuple.
     template <class Scheme>
     static auto vertex_of(const kith::hierarchy<mesh, Scheme>& levels, const golden::key& key)
     {
@@ -89,7 +89,7 @@ TYPED_TEST_P(golden_files, each_vertex_of_level_1_is_found_by_its_tuple)
         const auto& level = f.levels[1];
         TestFixture::expect_counts(fine, level);
         if (f.degree != 0)
-            return; // the files of the unified scheme tell no tuples
+            return; // the files of the unified scheme contain no tuples
         ASSERT_EQ(level.keys.size(), level.vertices.size());
         std::vector<std::size_t> number(level.vertices.size(), level.vertices.size());
         for (std::size_t i = 0; i < level.keys.size(); ++i) {
@@ -136,7 +136,7 @@ TYPED_TEST_P(golden_files, level_by_level_gives_the_same_bits_as_all_levels_at_o
     });
 }
 
-/// Where the file knows no mask there is none here either.
+/// Limit points of level 1 are the golden ones, and those without a golden mask have no mask here.
 TYPED_TEST_P(golden_files, limit_points_of_level_1)
 {
     using mesh = typename TypeParam::mesh;

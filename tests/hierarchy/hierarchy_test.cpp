@@ -22,7 +22,7 @@ namespace {
 
 using handles = kith::mesh_traits<mesh3d>;
 
-/// A house with two levels of Catmull-Clark; V, E, F = 11, 20, 11 and 42, 80, 40.
+/// A house with two levels of Catmull-Clark. V, E, F = 11, 20, 11 on level 0 and 42, 80, 40 on level 1.
 struct refined_house {
     mesh3d control = native(shapes::shaken(shapes::house()));
     hierarchy<mesh3d, kith::catmull_clark> levels{control};
@@ -30,7 +30,7 @@ struct refined_house {
     refined_house() { levels.refine(2); }
 };
 
-/// Catmull-Clark until the third level.
+/// Catmull-Clark that throws when it makes level 3.
 struct fails_at_level_3 : kith::catmull_clark {
     template <class R>
     void operator()(const R& r) const
@@ -279,7 +279,7 @@ TEST(hierarchy, refuses_what_refine_refuses)
 
 namespace {
 
-/// Which levels are in memory, as a word: "1001".
+/// Returns a digit for each level: 1 if it is in memory, 0 if not, such as "1001".
 template <class Levels>
 std::string held(const Levels& levels)
 {
@@ -399,7 +399,7 @@ TEST(hierarchy, needs_less_memory_where_it_keeps_fewer_levels)
     EXPECT_EQ(need, planned[0].bytes + planned[3].bytes + planned[4].bytes);
     EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 2), need + planned[2].bytes);
     EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 9), kith::peak_bytes(planned, true));
-    // From level 2 on that one stays until the end, so that the hierarchy can go back to it.
+    // If refinement begins at level 2, this level stays until the end, so that the hierarchy can return to it.
     EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 1, 2), need + planned[2].bytes);
     EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 1, 3), need);
     hierarchy levels(mesh, kith::catmull_clark(), {.memory_limit = need});
@@ -439,8 +439,8 @@ TEST(hierarchy, is_what_it_was_when_it_is_stopped)
 
 namespace {
 
-/// Triangles around the middle of each face, which is in no column: that of a quad is kept under two opposite vertices
-/// and known under the other two as well, that of any other face is kept under the face.
+/// A scheme of triangles around the middle of each face, which has no column. The middle of a quad is kept under two
+/// opposite vertices, and the other two refer to it. The middle of any other face is kept under the face.
 struct fans_about_diagonals {
     static constexpr auto traits() { return kith::scheme_traits{.name = "fans-about-diagonals"}; }
     static constexpr auto columns()
@@ -469,7 +469,8 @@ struct fans_about_diagonals {
     }
 };
 
-/// The middles of the faces of level 0, a mesh of quads, and of level 1 are found below and know where they come from.
+/// Expects that the middles of the faces of levels 0 and 1 are found on the next level and have the right origins.
+/// Precondition: level 0 is a mesh of quads.
 template <class M>
 void expect_middles(const hierarchy<M, fans_about_diagonals>& levels)
 {
@@ -557,7 +558,7 @@ TEST(hierarchy, gives_vertices_of_the_dictionary_the_value_that_new_ones_are_bor
 
 TEST(hierarchy, carries_values_to_corners_at_vertices_of_the_dictionary)
 {
-    hierarchy levels(native(shapes::house()), fans_about_diagonals()); // of quads and others, with a seam at each edge
+    hierarchy levels(native(shapes::house()), fans_about_diagonals()); // quads and others, with a seam at each edge
     levels.refine(1);
     const auto& coarse = levels.elements(0);
     kith::storage<double> at_corners(coarse.corner_count());

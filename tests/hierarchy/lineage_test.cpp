@@ -23,7 +23,7 @@ namespace {
 
 using handles = kith::mesh_traits<mesh3d>;
 
-/// The linear split without its edges, which are found by matching then.
+/// The linear split without declared edges, so that these are found by matching.
 struct matched_linear {
     static constexpr auto traits() { return kith::scheme_traits{.name = "matched-linear"}; }
     static constexpr auto columns()
@@ -45,8 +45,8 @@ struct matched_linear {
     }
 };
 
-/// Triangles around a vertex in the middle of each face, which is in no column, and edges that are matched. The middle
-/// is known by the face, or, where two of its vertices do not touch, by these, so that it is under a pair of vertices.
+/// A scheme of triangles around the middle of each face, with edges that are matched. The middle has no column. It is
+/// kept under the face if this is a triangle, otherwise under two vertices of the face that do not touch.
 struct matched_fans {
     static constexpr auto traits() { return kith::scheme_traits{.name = "matched-fans"}; }
     static constexpr auto columns()
@@ -74,8 +74,8 @@ struct matched_fans {
     }
 };
 
-/// The descendants of all elements of a level are all elements of a finer one, each once, and each has the element as
-/// its ancestor.
+/// Expects that the descendants of all elements of a level are all elements of a finer level, each once. Each must have
+/// its element as ancestor.
 template <class Levels>
 void expect_family_trees(const Levels& levels, int coarser, int finer)
 {
@@ -219,7 +219,7 @@ TEST(lineage, of_edges_that_were_matched_is_what_the_split_would_say)
 
 TEST(lineage, of_vertices_of_the_dictionary_leads_up_and_down_over_all_levels)
 {
-    const auto house = native(shapes::shaken(shapes::open_house())); // of triangles, quads and pentagons
+    const auto house = native(shapes::shaken(shapes::open_house())); // of triangles and quads
     hierarchy levels(house, matched_fans());
     levels.refine(3);
     for (const int finer : {1, 2, 3})

@@ -76,7 +76,7 @@ void expect_same(const io::mesh_attributes& a, const io::mesh_attributes& b)
     EXPECT_EQ(a.file_lines, b.file_lines);
 }
 
-/// Two quads with a seam of the texture at vertex 2 and none at vertex 3; words; colours at some vertices.
+/// Two quads in OBJ with a texture seam at vertex 2 and none at vertex 3, names, and colours at some vertices.
 const std::string seam = "mtllib a.mtl b.mtl\nv 0 0 0 1 0.5 0.25\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\nv 2 1 0\nv 2 2 0\n"
                          "vt 0 0\nvt 0.1 1e-3\nvt 1 1\nvt 0.25 1\nvt 0.5 0\nvt 7 -7\nvn 0 0 1\nvn 0 0.6 0.8\n"
                          "o thing\ng left side\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
@@ -164,7 +164,7 @@ TEST(obj_attributes, are_written_as_they_are_read)
     const auto again = io::read_mesh(mesh_format::obj, text);
     expect_same(soup.attributes, again.attributes);
     EXPECT_EQ(written(mesh_format::obj, again), text);
-    // Corners of a vertex with the same texture share a line; others do not.
+    // Corners of a vertex with the same texture share a line; other corners do not.
     EXPECT_NE(text.find("\nvt 0 0\nvt 0.1 0.001\nvt 1 1\nvt 0.25 1\nvt 0.5 0\nvt 7 -7\nvn"), text.npos);
     EXPECT_NE(text.find("\no thing\ng left side\nusemtl red\ns 1\nf  1/1/1 2/2/2 3/3/3 4/4/4\n"
                         "g\ns off\nf  3/5/5 5/6/6 4/4/7\nusemtl blue\nf  3//3 6 5//8\n"),
@@ -172,7 +172,7 @@ TEST(obj_attributes, are_written_as_they_are_read)
         << text;
 }
 
-/// A fan whose first vertex has half as many different textures as triangles, each in two of them.
+/// Makes an OBJ fan. The first vertex has half as many texture values as there are triangles, each in two triangles.
 std::string textured_fan(std::size_t triangles)
 {
     const std::size_t textures = triangles / 2;
@@ -189,14 +189,14 @@ std::string textured_fan(std::size_t triangles)
 
 TEST(obj_attributes, many_at_one_vertex_share_their_lines)
 {
-    // The last one is there for its time, many times as long where each line is compared with all of its vertex.
+    // The last size checks the time: it would be much longer if each line were compared with all lines of its vertex.
     for (const std::size_t triangles : {120U, 128U, 130U, 132U, 1000U, 200000U}) {
         const auto soup = io::read_mesh(mesh_format::obj, textured_fan(triangles));
         const std::string text = written(mesh_format::obj, soup);
         std::size_t lines = 0;
         for (std::size_t at = text.find("\nvt "); at != text.npos; at = text.find("\nvt ", at + 1))
             ++lines;
-        EXPECT_EQ(lines, triangles / 2 + triangles + 1); // and one for each vertex on the rim
+        EXPECT_EQ(lines, triangles / 2 + triangles + 1); // plus one line for each vertex on the boundary
         expect_same(soup.attributes, io::read_mesh(mesh_format::obj, text).attributes);
     }
 }
@@ -220,7 +220,7 @@ TEST(obj_attributes, indices_and_numbers_are_checked)
     EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/1 2/2 3/1\n"),
               "line 5: face 1: texture coordinate 2 does not exist, there are 1; correct the index");
     EXPECT_EQ(refusal(mesh_format::obj, points + "f 1/1 2/2 3/1\nvt 0 0\nvt 1 1\n"), "read");
-    // The first face is named, whatever comes later.
+    // The error names the first wrong face, whatever follows.
     EXPECT_EQ(
         refusal(mesh_format::obj, points + "vn 0 0 1\nf 1//1 2//1 3//1\n\nf 1//2 \\\n2//1 3//1\nf 1//9 2//1 3//1\n"),
         "line 7: face 2: normal 2 does not exist, there are 1; correct the index");
@@ -237,7 +237,7 @@ TEST(obj_attributes, indices_and_numbers_are_checked)
               "line 4: texture coordinate 1 should be a number, it is 'x'");
     EXPECT_EQ(refusal(mesh_format::obj, points + "f 1/1/1/1 2 3\n").substr(0, 8), "line 4: ");
     EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/99999999999999999999 2 3\n").substr(0, 8), "line 5: ");
-    // A name at the end of the file does not join the next line to it.
+    // A name that ends in a backslash at the end of the file does not join the next line.
     auto soup = io::read_mesh(mesh_format::obj, points + "f 1 2 3\nmtllib a\\");
     EXPECT_EQ(soup.attributes.file_lines, names{"mtllib a"});
 }
@@ -362,7 +362,7 @@ TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
         EXPECT_EQ(written(mesh_format::obj, again), written(mesh_format::obj, soup));
     }
 
-    // As MeshLab names pictures, which OBJ leaves to its files of materials.
+    // MeshLab names textures in this form; OBJ names them in its material files.
     std::string textured = bytes;
     textured.replace(textured.find("comment mtllib other.mtl"), 24, "comment TextureFile my skin.png");
     const auto with_picture = io::read_mesh(mesh_format::ply, textured);
@@ -372,7 +372,7 @@ TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
     EXPECT_EQ(not_held(mesh_format::obj, with_picture.attributes), names{"names of texture files"});
     EXPECT_EQ(written(mesh_format::obj, with_picture).find("skin"), std::string::npos);
 
-    // Which step of a scheme comes next.
+    // The tag tells which step of a scheme comes next.
     const std::string tag(kith::odd_generation);
     auto odd = io::read_mesh(mesh_format::obj, obj + tag + "\n");
     EXPECT_EQ(odd.attributes.file_lines, (names{"mtllib my paint.mtl", "mtllib other.mtl", tag}));
@@ -387,7 +387,8 @@ TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
     EXPECT_EQ(odd.attributes.file_lines, soup.attributes.file_lines);
     EXPECT_EQ(io::read_mesh(mesh_format::obj, obj + "t generation 1/0/0 2\n").tags.unread.size(), 1);
 
-    // Other ends of lines; and what does not say all words, one by one, is a number.
+    // Other line ends are read. The property stays a number if the comments do not list all words in order. The same
+    // holds if its type is a float, or if a value is no index of a word.
     const auto replaced = [&](const std::string& from, const std::string& to) {
         std::string text = bytes;
         for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))

@@ -40,7 +40,7 @@ std::string written(mesh_format format, const io::polygon_soup& soup, bool binar
 
 const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 
-/// A tetrahedron whose faces go on like this.
+/// Reads a tetrahedron in OFF whose face lines end with these words.
 io::polygon_soup off_with(const names& of_faces)
 {
     const names faces{"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"};
@@ -50,7 +50,7 @@ io::polygon_soup off_with(const names& of_faces)
     return io::read_mesh(mesh_format::off, text);
 }
 
-/// Red, green, blue and what is opaque, on each element.
+/// Expects these values of red, green, blue and, if there are four, opacity on each element.
 void expect_colors(const std::vector<io::attribute>& attributes, const std::vector<numbers>& colors,
                    const ply_number& type)
 {
@@ -80,7 +80,8 @@ TEST(off_colors, are_of_their_own_kind_each)
     expect_colors(io::read_mesh(mesh_format::off, written(mesh_format::off, mixed)).attributes.faces,
                   {{1, 0, 0.2, 1}, {0, 1, 0, 1}, {.5, .5, 1, 1}, {0, 0, 1, 1}},
                   f64);
-    // Zeros and ones are bytes among bytes, and shares of 1 with a point or where there are no bytes.
+    // Zeros and ones are bytes if other values are bytes. They are fractions of 1 if they have a decimal point, or if
+    // no value is a byte.
     expect_colors(off_with({"9 0 0", "1 0 1", "0 0 0", "255.0 0.0 0.0"}).attributes.faces,
                   {{9, 0, 0}, {1, 0, 1}, {0, 0, 0}, {255, 0, 0}},
                   u8);
@@ -90,14 +91,14 @@ TEST(off_colors, are_of_their_own_kind_each)
     expect_colors(off_with({"51 0 0", "1 0 1", "0 0 0", "0.0 0 1"}).attributes.faces,
                   {{.2, 0, 0}, {1 / 255., 0, 1 / 255.}, {0, 0, 0}, {0, 0, 1}},
                   f64);
-    // The fourth channel, also of the other kind, and where others have none.
+    // The fourth channel may be of the other kind, and may be missing on other faces.
     expect_colors(off_with({"51 0 0 255", "0.5 0.5 0.5 0.25", "255 0 0 0.5", "0.5 0.0 0.0 51"}).attributes.faces,
                   {{.2, 0, 0, 1}, {.5, .5, .5, .25}, {1, 0, 0, .5}, {.5, 0, 0, .2}},
                   f64);
     expect_colors(off_with({"9 0 0 128", "7 8 9", "", "0 0 0 255"}).attributes.faces,
                   {{9, 0, 0, 128}, {7, 8, 9, 255}, {none, none, none, none}, {0, 0, 0, 255}},
                   u8);
-    // Light that is brighter than white stays.
+    // Values above 1, brighter than white, are kept.
     expect_colors(off_with({"1.5 0.0 0.0", "", "", ""}).attributes.faces,
                   {{1.5, 0, 0}, {none, none, none}, {none, none, none}, {none, none, none}},
                   f64);
@@ -165,7 +166,7 @@ TEST(off_keyword, may_have_its_letters_in_any_order)
 
 TEST(off_keyword, decides_where_the_numbers_do_not)
 {
-    // Each line may have a normal and a colour in either order: all numbers lie between 0 and 1.
+    // Each line may have a normal and a colour in either order, since all numbers lie between 0 and 1.
     const auto read = [](const std::string& word) {
         return io::read_mesh(mesh_format::off,
                              word + "\n3 1 0\n0 0 0 1 0 0 0 0 1\n1 0 0 1 0 0 0 0 1\n0 1 0 1 0 0 0 0 1\n3 0 1 2\n");
@@ -181,7 +182,7 @@ TEST(off_keyword, decides_where_the_numbers_do_not)
     EXPECT_EQ(meshlab.notes,
               names{"the order of vertex colours and normals is ambiguous; colours are read first, "
                     "as MeshLab writes them after NC"});
-    // And where all stands in one line, the numbers do.
+    // If everything stands in one line, the numbers decide.
     const auto line = io::read_mesh(mesh_format::off,
                                     "CNOFF 3 1 0 0 0 0 0 0 255 255 0 0 1 1 0 0 0 0 255 255 0 0 1 "
                                     "0 1 0 0 0 255 255 0 0 1 3 0 1 2");
@@ -211,7 +212,7 @@ TEST(written_as_zero, names_what_a_format_cannot_leave_out)
     EXPECT_NE(ply.find("\n3 0 2 1 9 0 0 255\n3 0 1 3 9 0 0 128\n3 1 2 3 0 0 0 0\n3 0 3 2 0 0 0 0\n"), ply.npos) << ply;
     EXPECT_NE(written(mesh_format::off, soup).find("\n3  1 2 3\n3  0 3 2\n"), std::string::npos);
 
-    // Colours at some vertices of OBJ, which are doubles.
+    // Colours at some vertices in OBJ are doubles.
     const auto obj = io::read_mesh(mesh_format::obj, "v 0 0 0 1 .5 .25\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(written_as_zero(mesh_format::ply, obj.attributes), names{"the colours of 2 of 3 vertices"});
     for (const bool binary : {false, true}) {
@@ -221,7 +222,7 @@ TEST(written_as_zero, names_what_a_format_cannot_leave_out)
     EXPECT_NE(written(mesh_format::obj, obj).find("\nv 0 0 0 1 0.5 0.25\nv 1 0 0\nv 0 1 0\n"), std::string::npos);
 }
 
-/// A tetrahedron as binary STL with these two bytes behind each triangle.
+/// Makes a tetrahedron in binary STL with these two attribute bytes per triangle.
 std::string stl_with(const std::vector<std::uint16_t>& bits, const std::string& header = "made by hand")
 {
     std::string bytes = files::binary_stl(header);
@@ -249,7 +250,7 @@ TEST(stl_colors, of_viscam_and_solidview)
     EXPECT_EQ(bits_of(again), (std::vector<std::uint16_t>{bits[0], bits[1], bits[2], 0}));
     EXPECT_EQ(not_held(mesh_format::stl, soup.attributes, true), names());
     EXPECT_EQ(not_held(mesh_format::stl, soup.attributes), names{"colours of faces"});
-    // All 32 shades come back.
+    // All 32 shades are read back.
     std::vector<std::uint16_t> shade(4);
     for (std::uint16_t s = 0; s < 32; ++s) {
         std::ranges::fill(shade, std::uint16_t(0x8000 | s << 10 | (31 - s) << 5 | s));
@@ -270,7 +271,7 @@ TEST(stl_colors, of_materialise)
               (names{"the transparency of faces", "colours of faces beyond 32 shades of red, green and blue"}));
     EXPECT_EQ(bits_of(written(mesh_format::stl, soup, true)),
               (std::vector<std::uint16_t>{0x8000 | 31 << 10, 0x8000 | 16 << 5, 0x8001, 0x8000 | 1 << 10 | 2 << 5 | 4}));
-    // Bytes that nobody set leave the colour of the part; an opaque part needs no fourth channel.
+    // Attribute bytes of zero mean the colour of the part. An opaque part needs no fourth channel.
     const auto part = io::read_mesh(mesh_format::stl, stl_with({0, 0, 0, 0}, header));
     expect_colors(part.attributes.faces, std::vector<numbers>(4, {10, 20, 30, 40}), u8);
     header.back() = char(255);

@@ -22,7 +22,7 @@ using namespace kith;
 using io::mesh_format;
 using points = std::vector<std::array<double, 3>>;
 
-/// Two quads that meet in an edge at a right angle, and the normals of their corners.
+/// Two quads that meet in an edge at a right angle, with the normals of their corners.
 struct fold {
     basic_mesh<> mesh = make_mesh(points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, -1}, {1, 1, -1}},
                                   std::vector<std::vector<int>>{{0, 1, 2, 3}, {1, 4, 5, 2}});
@@ -77,7 +77,7 @@ TEST(corner_normals, of_ply_are_a_list_of_each_face_beside_those_of_vertices)
         const auto soup = io::read_mesh(mesh_format::ply, file);
         EXPECT_EQ(soup.faces.size(), 2U);
         EXPECT_EQ(soup.points.size(), 6U);
-        EXPECT_EQ(soup.not_kept, std::vector<std::string>{"normals"}); // those of vertices are
+        EXPECT_EQ(soup.not_kept, std::vector<std::string>{"normals"}); // normals of vertices are kept
         ASSERT_EQ(soup.attributes.vertices.size(), 3U);
     }
 }

@@ -17,7 +17,7 @@ namespace {
 using namespace kith;
 using io::mesh_format;
 
-/// The same numbers on every machine.
+/// Random numbers that are the same on every machine.
 class dice {
 public:
     explicit dice(unsigned seed) : engine_(seed) {}
@@ -73,7 +73,8 @@ std::string damaged(std::string bytes, dice& dice)
     return bytes;
 }
 
-/// Reads bytes that lie at the end of a block, so that the sanitizer sees who reads on. Whether they were a mesh.
+/// Reads bytes that end at the end of an allocation, so that the sanitizer notices reading beyond them. Returns true if
+/// they were a mesh.
 bool reads(mesh_format format, const std::string& bytes)
 {
     const auto copy = std::make_unique<char[]>(bytes.size());
@@ -109,7 +110,8 @@ bool reads(mesh_format format, const std::string& bytes)
     return true;
 }
 
-/// Damages files in some thousand ways: each is refused in words or is a mesh that hangs together.
+/// Damages files in some thousand ways. Expects that reading each file either throws an error with a message or returns
+/// a consistent mesh.
 void damage(mesh_format format, const std::vector<std::string>& files, unsigned seed)
 {
     dice dice(seed);
@@ -190,7 +192,7 @@ TEST(damaged_files, vtu)
                                "type=\"String\" Name=\"group\" format=\"ascii\">0 97 0</DataArray></FieldData>" +
                                piece("1 2 3", "5", "0") + piece("3 2 9", "4", "0") + piece("3 2 9", "4", "1") +
                                "</UnstructuredGrid></VTKFile>";
-    // One block of 36 zeros, compressed; its head has four words.
+    // One compressed block of 36 zeros; its header has four words.
     const std::string zeros("\x78\x9c\x63\x60\x20\x0c\x00\x00\x24\x00\x01", 11);
     std::string block;
     for (const std::uint32_t word : {1, 36, 0, 11})

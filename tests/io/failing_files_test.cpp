@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-// Memory ends while files are read and written: once, or for ever after.
+// Lets memory allocation fail while files are read and written: once, or from then on.
 
 namespace {
 
@@ -36,7 +36,7 @@ using io::mesh_format;
 using vtu_files::bytes_of;
 namespace fs = std::filesystem;
 
-/// A directory of the test's own.
+/// A directory that is used by one test.
 struct test_directory : vtu_files::directory {
     void clear() const
     {
@@ -76,7 +76,7 @@ const std::string vtu =
     "Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\">5</DataArray></Cells></Piece>"
     "</UnstructuredGrid></VTKFile>";
 
-/// Expects that a trial failed by std::bad_alloc or made no difference.
+/// Expects that a trial failed with std::bad_alloc or succeeded with the same result.
 void expect_memory_error_only(const trial& trial)
 {
     EXPECT_EQ(trial.other, "") << trial.text();
@@ -111,7 +111,7 @@ void expect_written_or_untouched(const std::string& name, bool exists)
             EXPECT_EQ(bytes_of(path), is_written ? whole : before);
             EXPECT_EQ(directory.names().size(), exists or is_written ? 1 : 0);
             EXPECT_EQ(open_files(), open_before);
-            io::write_mesh_file(text, what); // the file is not locked by a try that failed
+            io::write_mesh_file(text, what); // a failed attempt does not leave the file locked
             EXPECT_EQ(bytes_of(path), whole);
         });
 }
@@ -161,7 +161,7 @@ TEST(failing_files, what_a_killed_process_left_is_removed_by_the_next_one)
             SCOPED_TRACE(trial.text());
             expect_memory_error_only(trial);
             const io::output_file again(target);
-            EXPECT_EQ(directory.names().size(), 1); // the one that was just begun
+            EXPECT_EQ(directory.names().size(), 1); // the file that was just begun
         });
 }
 
@@ -216,7 +216,7 @@ TEST(failing_files, saved_levels_are_read_whole_or_not_at_all)
         [&] {
             again.reset();
             in = std::istringstream(bytes);
-            in.exceptions(std::ios::badbit); // a stream keeps errors of memory to itself unless it is asked to throw
+            in.exceptions(std::ios::badbit); // by default a stream hides memory errors
         },
         [&] { again = io::read_levels<basic_mesh<>>(in, loop()); },
         [&](const trial& trial) {

@@ -29,7 +29,7 @@ inline const std::string stl =
     "facet normal nan 1 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n"
     "facet normal -1 0 0\nouter loop\nvertex 0 1 0\nvertex -0 0 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid one\n";
 
-/// The bytes of a number, the last first if `big_endian`.
+/// Appends the bytes of a number, most significant byte first if `big_endian`.
 template <class Number>
 void append(std::string& bytes, Number number, bool big_endian = false)
 {
@@ -53,7 +53,7 @@ inline std::string binary_stl(const std::string& name = "any words")
     return result;
 }
 
-/// Binary PLY; the names of the types are those of Place, Count and Index.
+/// Returns the tetrahedron as binary PLY. `place`, `count` and `index` are PLY's names for Place, Count and Index.
 template <class Place, class Count, class Index>
 std::string binary_ply(const std::string& place, const std::string& count, const std::string& index, bool big_endian)
 {

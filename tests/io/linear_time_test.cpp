@@ -15,20 +15,20 @@
 #include <utility>
 #include <vector>
 
-// Every reader takes time in proportion to its file: twice as many of anything take about twice as long.
+// Every reader takes time in proportion to the file: twice as many elements take about twice as long.
 
 namespace {
 
 using namespace kith;
 using io::mesh_format;
 
-/// A file with n of something.
+/// A function that makes a file with n elements of some kind.
 using file_of = std::function<std::string(std::size_t)>;
 
 struct growing_file {
     std::string what;
     mesh_format format;
-    std::size_t n; ///< so many take some milliseconds
+    std::size_t n; ///< this number takes some milliseconds
     file_of file;
 };
 
@@ -37,7 +37,7 @@ std::string text(std::size_t number)
     return std::to_string(number);
 }
 
-/// `part(i)` for all i below n.
+/// Returns the concatenation of part(i) for all i below n.
 template <class Part>
 std::string joined(std::size_t n, const Part& part)
 {
@@ -90,7 +90,7 @@ std::string array(const std::string& type, const std::string& name, const std::s
     return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + text(components) + "\">" +
            values + "</DataArray>\n";
 }
-/// Faces of three corners, all at the first three points, or one of them all.
+/// Returns a piece of triangles at the first three points, or one polygon of all points.
 std::string vtu_piece(std::size_t points, std::size_t faces, const std::string& data, bool is_one_polygon = false)
 {
     return "<Piece NumberOfPoints=\"" + text(points) + "\" NumberOfCells=\"" + text(faces) + "\"><Points>" +
@@ -421,7 +421,7 @@ std::vector<growing_file> files_of_vtk()
              }}};
 }
 
-/// The processor time of reading, in seconds; that of other processes does not count.
+/// Returns the processor time of reading in seconds; other processes do not count.
 double seconds(mesh_format format, const std::string& bytes)
 {
     const std::clock_t begin = std::clock();
@@ -431,11 +431,11 @@ double seconds(mesh_format format, const std::string& bytes)
 
 void expect_linear(const std::vector<growing_file>& all)
 {
-    constexpr double most = 3.2; // twice as long is linear, four times quadratic
+    constexpr double most = 3.2; // linear time gives a ratio of two, quadratic time of four
     constexpr int most_rounds = 8;
     for (const auto& [what, format, n, file] : all) {
         const std::string small = file(n), large = file(2 * n);
-        constexpr double least = 1e-4; // shorter times are none
+        constexpr double least = 1e-4; // shorter times cannot be measured
         double of_small = std::numeric_limits<double>::infinity(), of_large = of_small;
         for (int round = 0; round < most_rounds and not(of_large <= most * std::max(of_small, least)); ++round) {
             of_small = std::min(of_small, seconds(format, small));

@@ -21,7 +21,7 @@ using namespace kith;
 
 namespace {
 
-/// Whether the arrays of a mesh are refused after a change.
+/// Returns true if the arrays of a mesh are refused after a change.
 template <class Change>
 bool is_refused_with(const mesh3d& mesh, const Change& change)
 {
@@ -75,7 +75,7 @@ TEST(packed_mesh, is_refused_when_it_is_of_a_generation_that_none_has)
 
 TEST(packed_mesh, refuse_arrays_that_do_not_fit_each_other)
 {
-    const auto mesh = native(shapes::house()); // of triangles and quads
+    const auto mesh = native(shapes::house()); // has triangles and quads
     const auto is_refused = [&](const auto& change) { return is_refused_with(mesh, change); };
     EXPECT_FALSE(is_refused([](auto&) {}));
     EXPECT_TRUE(is_refused([](auto& t) { t.corner_vertex[3] = 999; }));
@@ -98,7 +98,7 @@ TEST(packed_mesh, refuse_a_boundary_that_walks_do_not_find)
     std::size_t rim = 0;
     while (not all.is_boundary(rim) or all.next_in_fan(all.halfedge_corner[2 * rim]) == none)
         ++rim;
-    const auto start = all.halfedge_corner[2 * rim]; // of a fan of two faces
+    const auto start = all.halfedge_corner[2 * rim]; // at the start of a fan of two faces
     EXPECT_FALSE(is_refused_with(mesh, [](auto&) {}));
     EXPECT_TRUE(
         is_refused_with(mesh, [&](auto& t) { t.vertex_corner[t.corner_vertex[start]] = t.next_in_fan(start); }));

@@ -28,7 +28,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-/// Reads the tetrahedron, with its vertices in any order if they were merged.
+/// Reads the tetrahedron and expects its points and faces. Formats that merge vertices may number them in any order.
 io::polygon_soup expect_tetrahedron(mesh_format format, const std::string& bytes)
 {
     auto soup = io::read_mesh(format, bytes);
@@ -146,7 +146,7 @@ TEST(read_obj, indices)
     EXPECT_EQ(refusal(mesh_format::obj, points + "f 1 2 3\nf 1 9 3\nv 1 1 1\n"),
               "line 5: face 2: vertex 9 does not exist, there are 4; correct the index");
     EXPECT_EQ(io::read_mesh(mesh_format::obj, "f 1 2 3\n" + points).faces.size(), 1);
-    // A comment that ends in a backslash does not swallow the next line.
+    // A comment that ends in a backslash does not continue on the next line.
     EXPECT_EQ(io::read_mesh(mesh_format::obj, "# c:\\dir\\\n" + points + "f 1 2 3\n").points.size(), 3);
 }
 
@@ -189,7 +189,7 @@ TEST(read_ply, strips_of_triangles)
     };
     using numbers = std::vector<std::size_t>;
     EXPECT_EQ(read(strips, "6 0 1 2 3 4 5").faces.vertices, (numbers{0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5}));
-    // Two strips; a strip that goes on over triangles without area; one that is empty.
+    // Two strips, each ended by -1; a strip that continues across triangles without area; a strip that ends in one.
     EXPECT_EQ(read(strips, "9 0 1 2 3 -1 2 3 4 -1").faces.vertices, (numbers{0, 1, 2, 2, 1, 3, 2, 3, 4}));
     EXPECT_EQ(read(strips, "8 0 1 2 3 3 2 2 5").faces.vertices, (numbers{0, 1, 2, 2, 1, 3}));
     EXPECT_EQ(read(strips, "4 0 1 2 2").faces.vertices, (numbers{0, 1, 2}));
@@ -200,7 +200,7 @@ TEST(read_ply, strips_of_triangles)
     EXPECT_EQ(more.faces.size(), 1);
     EXPECT_EQ(more.not_kept, (std::vector<std::string>{"the property 'flag' of strips"}));
 
-    // Faces beside them come first, whatever the order in the file, and alone have numbers.
+    // Faces beside strips come first, whatever the order in the file, and only they keep their values.
     const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n";
     for (const bool strips_first : {false, true}) {
         const auto both = strips_first ? read(strips + faces, "3 0 1 2 4 2 3 5 4 9")

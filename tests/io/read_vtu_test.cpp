@@ -46,7 +46,7 @@ std::string refusal(const std::string& bytes)
     return "read";
 }
 
-/// The tetrahedron and its attributes, however the numbers are written.
+/// Expects the tetrahedron and its attributes, whatever the encoding of the numbers.
 void expect_tetrahedron(const std::string& bytes)
 {
     const auto soup = read(bytes);
@@ -72,7 +72,7 @@ void expect_tetrahedron(const std::string& bytes)
     EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{-1, 5000000000, 2, 3}));
 }
 
-/// The numbers of the arrays in the order of the file.
+/// Calls put(attributes, numbers) for each array in the order of the file.
 template <class Put>
 void put_arrays(const Put& put)
 {
@@ -99,10 +99,11 @@ std::string encoded(const std::string& bytes)
     return result;
 }
 
-/// One of the ways in which VTK writes its arrays.
+/// The encodings in which VTK writes its arrays.
 enum class way { text, base64, base64_length_apart, appended_base64, appended_raw };
 
-/// The head and the blocks of bytes as vtkZLibDataCompressor has them. Word is the type of the numbers in the head.
+/// Returns the header and the compressed blocks as vtkZLibDataCompressor writes them. Word is the type of the numbers
+/// in the header.
 template <class Word>
 std::pair<std::string, std::string> compressed(const std::string& bytes, std::size_t block_bytes)
 {
@@ -121,7 +122,7 @@ std::pair<std::string, std::string> compressed(const std::string& bytes, std::si
     return {head + lengths, blocks};
 }
 
-/// `block_bytes` of arrays that are compressed; 0: none is.
+/// Returns a file of the tetrahedron. Arrays are compressed in blocks of `block_bytes`, or not at all for 0.
 std::string file(way how, bool long_lengths = false, std::size_t block_bytes = 0)
 {
     std::string arrays[7], data;
@@ -169,7 +170,7 @@ std::string file(way how, bool long_lengths = false, std::size_t block_bytes = 0
            "</VTKFile>\n";
 }
 
-/// Two triangles as text.
+/// Returns a file with cells on four points as text; by default the cells are two triangles.
 std::string cells(const std::string& offsets, const std::string& types, const std::string& vertices = "0 1 2 1 3 2")
 {
     const std::size_t count = std::size_t(std::count(types.begin(), types.end(), ' ')) + 1;
@@ -204,7 +205,7 @@ TEST(read_vtu, empty_arrays_that_are_compressed)
     const auto soup = read(
         replaced(cells("3 6", "5 5"), "<VTKFile ", "<VTKFile compressor=\"vtkZLibDataCompressor\" "));
     EXPECT_EQ(soup.faces.size(), 2);
-    // Zero blocks of 32768 bytes, the last of 0, in words of four bytes.
+    // Header of zero blocks of 32768 bytes, the last one with 0 bytes, in words of four bytes.
     const std::string empty = "<DataArray type=\"Int64\" Name=\"none\" format=\"binary\">AAAAAACAAAAAAAAA</DataArray>";
     const std::string points =
         "<DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"binary\">AAAAAACAAAAAAAAA";
@@ -225,7 +226,7 @@ TEST(read_vtu, refuses_compressed_numbers_that_are_damaged)
         EXPECT_EQ(refusal(replaced(plain, compressor, other)),
                   "is compressed by " + other +
                       ", which is not read; write it with vtkZLibDataCompressor, or without a compressor");
-    // Another number of points needs another number of bytes.
+    // A different number of points needs a different number of bytes.
     EXPECT_EQ(refusal(replaced(plain, "NumberOfPoints=\"4\"", "NumberOfPoints=\"3\"")),
               "the array '' should have 72 bytes, it has 96");
     EXPECT_EQ(refusal(replaced(plain, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"")),
@@ -233,7 +234,7 @@ TEST(read_vtu, refuses_compressed_numbers_that_are_damaged)
     EXPECT_EQ(refusal(replaced(plain, "NumberOfPoints=\"4\"", "NumberOfPoints=\"1\"")),
               "the array '' should have 24 bytes, it has more");
     EXPECT_EQ(refusal(plain.substr(0, plain.size() - 60)), "the file ends in the array 'my <id>'");
-    // The head of the points: 3 blocks of 32 bytes.
+    // The header of the points: 3 blocks of 32 bytes.
     const std::size_t head = plain.find("\n _") + 3;
     const auto with = [&](std::size_t at, std::uint64_t number) {
         std::string bytes, result = plain;
@@ -273,7 +274,7 @@ TEST(read_vtu, refuses_arrays_of_another_length)
                       how == way::text ? "the array '' should have 15 numbers, it has 12"
                                        : "the array '' should have 120 bytes, it has 96");
         }
-    // The data of an array may be longer than it says, but not shorter.
+    // The data of an array may be longer than its stated length, but not shorter.
     const std::string raw = file(way::appended_raw);
     std::string length, other;
     files::append(length, std::uint32_t(96));
@@ -285,7 +286,7 @@ TEST(read_vtu, refuses_arrays_of_another_length)
     }
 }
 
-/// An array of numbers as text.
+/// Returns an array of numbers as text.
 std::string array(const std::string& type, const std::string& name, const std::string& numbers,
                   const std::string& more = "")
 {
@@ -312,7 +313,7 @@ std::string grid_of(const std::string& pieces)
     return "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>\n" + pieces + "</UnstructuredGrid></VTKFile>\n";
 }
 
-/// Two pieces of a strip of three quads, of which the second knows one of the first as a ghost.
+/// Two pieces of a strip of three quads. The second piece has a face of the first piece as a ghost.
 const std::string first_piece = piece("0 0 0 1 0 0 1 1 0 0 1 0", 4, "0 1 2 3", "4", "9", 1,
                                       array("Int64", "GlobalPointIds", "10 11 15 14") +
                                           array("Float32", "heat", "1 2 3 4"),
@@ -384,7 +385,7 @@ TEST(read_vtu, several_pieces_without_ids_stay_apart)
                                         "pieces are not joined, even if they coincide"}));
 }
 
-/// Two lines, a pentagon and a triangle, and a strip of three triangles.
+/// PolyData with two lines, a pentagon, a triangle, and a strip of three triangles.
 const std::string poly_data =
     "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"7\" NumberOfVerts=\"0\" NumberOfLines=\"2\" "
     "NumberOfStrips=\"1\" NumberOfPolys=\"2\">" +
@@ -538,7 +539,7 @@ TEST(read_vtu, names_whole_numbers_that_a_double_does_not_hold)
         EXPECT_EQ(held.attributes.faces[0].values, values) << ids;
     }
 
-    // In binary, too: the last bytes of the last array are those of 2^53 + 1.
+    // The same holds for binary data, in which one id is replaced by 2^53 + 1.
     std::string id, more;
     files::append(id, std::int64_t(5000000000));
     files::append(more, std::int64_t(9007199254740993));

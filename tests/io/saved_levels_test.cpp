@@ -43,7 +43,7 @@ hierarchy<mesh3d, Scheme> loaded(const std::string& bytes, Scheme scheme)
     return io::read_levels<mesh3d>(in, std::move(scheme));
 }
 
-/// A house with creases, whose first two levels were moved, of four levels.
+/// A house with creases and four levels, of which levels 0 and 2 were moved.
 struct moved_house {
     catmull_clark scheme;
     hierarchy<mesh3d, catmull_clark> levels;
@@ -110,7 +110,7 @@ TEST(saved_levels, are_those_that_were_saved)
 
 TEST(saved_levels, start_from_a_mesh_that_was_refined_before)
 {
-    const auto mesh = refine(native(shapes::tetrahedron()), sqrt3(), 1); // its edges are numbered by the scheme
+    const auto mesh = refine(native(shapes::tetrahedron()), sqrt3(), 1); // the scheme numbers the edges of this mesh
     hierarchy levels(mesh, sqrt3());
     levels.refine(2);
     const auto again = loaded(saved(levels), sqrt3());
@@ -228,7 +228,7 @@ TEST(saved_levels, refuse_other_fields)
     refused(with_fields(catmull_clark(), on_faces(pairs)), with_fields(catmull_clark(), on_faces(places)));
 }
 
-/// A control mesh that nobody has refined, with the state of a scheme, be it of another mesh.
+/// Returns the saved form of an unrefined control mesh, with the state of a scheme that may belong to another mesh.
 template <class Scheme>
 std::string saved_with(const mesh3d& control, const Scheme& scheme)
 {

@@ -26,7 +26,7 @@ double any_number_in(const std::string& text)
     return cursor(text).any_number([] { return std::string("it"); });
 }
 
-/// What a number that is out of the range of others reads as.
+/// Expects the values of numbers that lie outside the range of doubles, or that they are refused.
 void expect_unusual_numbers()
 {
     EXPECT_EQ(number_in("4.9406564584124654e-324"), std::numeric_limits<double>::denorm_min());
@@ -90,7 +90,7 @@ TEST(text, is_not_written_when_a_part_of_it_fails)
 TEST(text, is_written_in_its_order)
 {
     std::ostringstream out, expected;
-    const std::size_t count = 200000; // more blocks than are made at once
+    const std::size_t count = 200000; // more blocks than are processed at once
     io::write_blocks(out, count, [](io::text_block& text, std::size_t i) { text << i << ' '; });
     for (std::size_t i = 0; i < count; ++i)
         expected << i << ' ';

@@ -145,7 +145,7 @@ TEST(write_mesh, faces_of_many_corners)
             corners.push_back({double(i), double(i * i), 0.25});
             face.push_back((i + 5) % n);
         }
-        // A triangle at the first side, so that faces are of several degrees.
+        // A triangle at the first side, so that faces have several degrees.
         corners.push_back({-1, -1, 7});
         const basic_mesh<> mesh = make_mesh(corners, std::vector<std::vector<std::size_t>>{face, {1, 0, n}});
         io::mesh_attributes attributes;
@@ -224,7 +224,7 @@ TEST(write_mesh, what_is_not_finite_is_refused)
 
 TEST(write_stl, leaves_out_triangles_that_fall_together)
 {
-    // A long strip of quads, cut into triangles, far away: in floats the ends of the short edges are equal.
+    // A long strip of quads, cut into triangles, far from the origin: in floats the ends of the short edges are equal.
     const double far = 1 << 24;
     const points strip{{far, 0, 0},
                        {far + 2, 0, 0},
@@ -242,7 +242,7 @@ TEST(write_stl, leaves_out_triangles_that_fall_together)
     EXPECT_TRUE(validate(soup.points, soup.faces).ok());
     EXPECT_EQ(io::read_mesh(mesh_format::stl, written(mesh_format::stl, {.mesh = mesh})).faces.size(), 5);
 
-    // Where no surface is left, there is no file that kith could not read.
+    // If no surface is left, no file is written that kith could not read.
     const points corners{{far, 0, 0}, {far + .1, 0, 0}, {far, 1, 0}, {far, 0, 1}};
     const basic_mesh<> small = make_mesh(corners,
                                          std::vector<std::vector<int>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
@@ -255,12 +255,12 @@ TEST(write_stl, leaves_out_triangles_that_fall_together)
     EXPECT_EQ(refusal(mesh_format::stl, {.mesh = gone, .binary = true}),
               "4 of 4 triangles collapse in the floats of binary STL, and the others form no surface that can be "
               "read; write text, .off, .obj or .ply, or move the mesh to the origin");
-    // Two sheets that are closer than floats.
+    // Two sheets whose distance is below the precision of floats.
     const points sheets{{far, 0, 0}, {far, 9, 0}, {far, 0, 9}, {far + .1, 0, 0}, {far + .1, 9, 0}, {far + .1, 0, 9}};
     const basic_mesh<> two = make_mesh(sheets, std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}});
     EXPECT_EQ(refusal(mesh_format::stl, {.mesh = two, .binary = true}).substr(0, 40),
               "0 of 2 triangles collapse in the floats ");
-    // Points that are equal in doubles, too, are as they were.
+    // Points that are equal as doubles, too, are written as they are.
     const points touching{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
     const basic_mesh<> pinched = make_mesh(touching, std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}});
     EXPECT_EQ(refusal(mesh_format::stl, {.mesh = pinched, .binary = true}), "written");

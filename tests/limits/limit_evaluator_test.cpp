@@ -44,7 +44,7 @@ kith::limit_surface<Point> limits_of_refined(const kith::basic_mesh<Point>& cont
     return limit_surface_of(all, levels);
 }
 
-/// Whether the limits that follow from control points that move, and back again, are those of refining.
+/// Expects that the limits for moved control points, and for the original ones again, are the limits found by refining.
 template <class Point, class Scheme>
 void expect_limits_of_refined(const kith::basic_mesh<Point>& mesh, const Scheme& scheme, int levels)
 {
@@ -58,7 +58,7 @@ void expect_limits_of_refined(const kith::basic_mesh<Point>& mesh, const Scheme&
     }
 }
 
-/// Whether there are templates for the limits of this refinement.
+/// Returns true if the evaluator has patch templates for the limits of this refinement.
 template <class Scheme>
 bool has_patches(const mesh3d& mesh, const Scheme& scheme, int levels)
 {
@@ -120,7 +120,7 @@ TEST(limit_evaluator, searches_at_creases)
 {
     kith::catmull_clark creased;
     creased.sharpness.sharpen_edge(5, kith::infinitely_sharp);
-    creased.sharpness.sharpen_edge(6, 5.5); // decays after the last level
+    creased.sharpness.sharpen_edge(6, 5.5); // still sharp on the last level
     creased.sharpness.sharpen_edge(100, 1.5);
     creased.sharpness.sharpen_vertex(7, 2.);
     EXPECT_TRUE(has_patches(torus, creased, 4));
@@ -137,7 +137,7 @@ TEST(limit_evaluator, makes_those_of_floats_and_of_large_and_small_coordinates)
         kith::basic_mesh<std::array<float, 3>>(std::move(points), torus.topology()), kith::catmull_clark{}, 4);
 
     kith::limit_evaluator surface(torus, kith::catmull_clark{}, 4);
-    for (const double by : {1e-290, 1e307, 0., 1.}) { // tangents overflow, lose digits, or there are none
+    for (const double by : {1e-290, 1e307, 0., 1.}) { // tangents overflow, lose digits, or vanish
         const auto control = scaled(torus, by);
         const auto expected = limits_of_refined(control, kith::catmull_clark{}, 4);
         const auto made = surface.evaluate(control.points());

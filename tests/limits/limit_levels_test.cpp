@@ -27,7 +27,7 @@ bool keeps_vertices(const Scheme& scheme)
         return true;
 }
 
-/// The limits of `fine` are those of `coarse` at child(i), wherever these are known; tells how many are.
+/// Expects each limit of `coarse` to equal the limit of `fine` at child(i). Returns the number of compared limits.
 template <class Limits>
 std::size_t expect_same(const Limits& coarse, const Limits& fine, const auto& child)
 {
@@ -44,7 +44,7 @@ std::size_t expect_same(const Limits& coarse, const Limits& fine, const auto& ch
     return count;
 }
 
-/// Without those of the boundary, which belong to no face.
+/// Returns the limits without those of boundary vertices, which belong to no face.
 auto inner(const auto& level, auto limits)
 {
     for (const auto v : level.vertices())
@@ -53,7 +53,7 @@ auto inner(const auto& level, auto limits)
     return limits;
 }
 
-/// Around vertices of all valences in a plane all normals are upright.
+/// Expects upright normals around vertices of all valences in a plane.
 template <class Scheme>
 void expect_upright(const Scheme& scheme)
 {
@@ -78,8 +78,8 @@ void expect_upright(const Scheme& scheme)
     EXPECT_GT(known, 100U) << kith::scheme_name<Scheme>();
 }
 
-/// How many vertices were compared with their children: for schemes of which there are limits, these are
-/// `limits(elements, scheme)`.
+/// Compares the limits of vertices with those of their children, for all schemes for which `limits(elements, scheme)`
+/// exists. Returns the number of compared vertices.
 template <class Limits>
 std::size_t compare_with_children(const Limits& limits)
 {
@@ -89,7 +89,7 @@ std::size_t compare_with_children(const Limits& limits)
                       has_vertices_of_vertices<Scheme>) {
             if (not keeps_vertices(scheme))
                 return;
-            constexpr int depth = std::same_as<Scheme, kith::four_eight> ? 4 : 2; // whose steps are half ones
+            constexpr int depth = std::same_as<Scheme, kith::four_eight> ? 4 : 2; // a step of 4-8 is half a step
             hierarchy levels(mesh, scheme);
             levels.refine(depth);
             for (int i = 0; i < depth; ++i)

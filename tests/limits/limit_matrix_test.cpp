@@ -11,7 +11,7 @@
 
 namespace {
 
-/// The matrix takes the points of one level where the limits of the other are.
+/// Expects that the limit matrix maps the points of level `from` to the limits of level `to`.
 template <class Scheme>
 void expect_limits(const mesh3d& mesh, const Scheme& scheme, int from, int to)
 {

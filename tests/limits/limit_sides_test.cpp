@@ -42,7 +42,7 @@ normal_vector unit(double x, double y, double z)
     return {x / length, y / length, z / length};
 }
 
-/// The number of the edge between two vertices.
+/// Returns the number of the edge between two vertices.
 std::size_t edge_between(const mesh3d& mesh, std::size_t a, std::size_t b)
 {
     const kith::level_of<mesh3d> level(mesh);
@@ -62,7 +62,8 @@ Scheme with_all_edges_sharp(const mesh3d& mesh)
     return scheme;
 }
 
-/// Creases for ever that cross, end inside and at the boundary, and a sharp vertex; `seed` says where.
+/// Returns the scheme with infinitely sharp creases that cross, and that end inside and at the boundary, and with a
+/// sharp vertex. `seed` selects the elements.
 template <class Scheme>
 Scheme with_creases(const mesh3d& mesh, std::size_t seed, Scheme scheme = {})
 {
@@ -74,9 +75,9 @@ Scheme with_creases(const mesh3d& mesh, std::size_t seed, Scheme scheme = {})
     return scheme;
 }
 
-/// Checks that the limits of the vertices of level 0 are those of their descendants on three more levels, with their
-/// normals and those of the corners, whose descendants start where they start. At a corner of the surface with several
-/// faces the plane is checked, since the faces of the level tell which way it looks.
+/// Checks that the limits of vertices of level 0 equal those of their descendants on three more levels. The same holds
+/// for normals of vertices and of corners; the order of corners around a vertex stays. At a corner of the surface with
+/// several faces only the plane is checked. There the faces of a level decide to which side the normal points.
 template <class Scheme>
 void expect_one_limit_on_all_levels(const mesh3d& mesh, const Scheme& scheme)
 {
@@ -121,7 +122,7 @@ void expect_one_limit_on_all_levels(const mesh3d& mesh, const Scheme& scheme)
     }
 }
 
-/// The paraboloid z = x^2 + y^2 over n x n quads.
+/// Makes the paraboloid z = x^2 + y^2 over n x n quads.
 shapes::shape bowl(std::size_t n)
 {
     auto result = shapes::grid(n, n);
@@ -152,7 +153,7 @@ TEST(limit_sides, a_smoothed_corner_has_the_plane_of_its_edges_on_all_levels)
     const auto quads = native(bowl(2));
     check(quads, catmull_clark{.corners = boundary_corner::smoothed, .sharpness = {}});
     check(quads, catmull_clark{});
-    shapes::shape triangles = bowl(2); // diagonals that leave vertex 0 a single face
+    shapes::shape triangles = bowl(2); // the diagonals leave vertex 0 a single face
     std::vector<std::vector<std::size_t>> faces;
     for (const auto& f : triangles.faces) {
         faces.push_back({f[0], f[1], f[3]});
@@ -204,8 +205,8 @@ TEST(limit_sides, a_hard_cube_has_the_normals_of_its_faces)
 
 TEST(limit_sides, notches_look_outwards)
 {
-    // An L of three cubes with all edges between different planes sharp. At the ends of its inner edge the sides of the
-    // L have one face each per cube, and span 270 degrees.
+    // Three cubes in an L, with all edges between different planes sharp. At the ends of the inner edge, the sides of
+    // the L have one face per cube and span 270 degrees.
     const auto at = [](std::size_t column, std::size_t layer) { return 2 * column + layer; };
     shapes::shape solid;
     for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}})
@@ -241,7 +242,7 @@ TEST(limit_sides, notches_look_outwards)
             EXPECT_LT(distance(normals[c.index()], normal_of(f)), 1e-9) << "corner " << c.index();
 }
 
-/// Numbers of OpenSubdiv 3.5's limit masks after two steps; it tells the first side of a crease only.
+/// Shows the values of OpenSubdiv 3.5's limit masks after two steps; OpenSubdiv has only the first side of a crease.
 TEST(limit_sides, agrees_with_opensubdiv)
 {
     const auto mesh = native(bowl(2));

@@ -29,7 +29,8 @@ double distance(const point& a, const point& b)
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// What becomes of a vertex, level by level: a vertex, an edge or a face, as docs/schemes.md says for each scheme.
+/// The descendant of a vertex on a later level: a vertex, an edge or a face, as docs/schemes.md describes for each
+/// scheme.
 struct descendant {
     char kind = 'v';
     std::size_t index = 0;
@@ -42,7 +43,7 @@ descendant next_of_dual(const hierarchy<mesh3d, Scheme>& levels, int level, desc
     const auto face = [&](const auto& x) { return descendant{'f', levels.assoc(level, x.handle(), targets::F).value}; };
     if (d.kind == 'f')
         return face(here.faces()[d.index]);
-    if (d.kind == 'e') { // of the boundary: it has one face, and stays an edge of that
+    if (d.kind == 'e') { // a boundary edge: it has one face, and stays an edge of that face
         const auto e = here.edges()[d.index];
         return {'e', levels.assoc(level, e.handle(), e.lface().handle(), targets::E).value};
     }
@@ -99,7 +100,7 @@ point place(const hierarchy<mesh3d, Scheme>& levels, int level, descendant d)
     return result;
 }
 
-/// So many steps tell whether levels come near.
+/// The number of steps after which the convergence of a scheme can be judged.
 template <class Scheme>
 struct depth_of {
     static constexpr int value = std::same_as<Scheme, kith::nasri_hasbini> ? 3
@@ -112,7 +113,8 @@ void expect_unit(const kith::normal_vector& n)
     EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-15);
 }
 
-/// Of every vertex of levels 0 and 1: the limit is that of its descendant, and levels come near to it.
+/// Expects for every vertex of levels 0 and 1 that its descendants have the same limit, and that the levels converge to
+/// it.
 template <class Scheme>
 void expect_limits(const mesh3d& control, const Scheme& scheme)
 {
@@ -141,7 +143,7 @@ void expect_limits(const mesh3d& control, const Scheme& scheme)
             }
             late = std::max(late, distance(place(levels, depth, d), limit));
         }
-        // The slowest is a strip along a boundary, by 3/4 a step.
+        // Convergence is slowest in a strip along a boundary: 3/4 per step.
         EXPECT_LE(late, early * std::pow(0.78, depth - from - 1) + 1e-4 * size) << "of level " << from;
         for (const auto& n : limits[std::size_t(from)].normals)
             expect_unit(n);
@@ -158,7 +160,7 @@ TEST(limit_surface, no_vertex_is_left_out_and_all_levels_agree)
 
 namespace {
 
-/// Creases for ever and such that end, darts, corners inside, everywhere on the mesh.
+/// Returns the scheme with infinitely sharp and decaying creases, darts, and corners inside, all over the mesh.
 template <class Scheme>
 Scheme with_creases(const mesh3d& mesh, kith::crease_method method)
 {
@@ -193,7 +195,8 @@ TEST(limit_surface, of_creases_darts_and_what_decays)
 
 namespace {
 
-/// Whether vertices of the first levels that are said never to have tangents have none there and on the levels after.
+/// Expects no tangents at vertices of the first levels for which the rules say that there are never any. The same holds
+/// for their descendants. `told` counts these vertices.
 template <class Scheme>
 void expect_no_later_tangents(const mesh3d& control, const Scheme& scheme, std::size_t& told)
 {
@@ -265,7 +268,7 @@ TEST(limit_surface, of_floats_comes_as_near_as_floats_can)
     for (std::size_t v = 0; v < torus.vertex_count(); ++v)
         for (std::size_t i = 0; i < 3; ++i)
             of_floats.points()[v][i] = float(torus.point(v)[i]);
-    for (std::size_t e = 0; e < torus.edge_count(); e += 5) { // its ends are darts
+    for (std::size_t e = 0; e < torus.edge_count(); e += 5) { // the ends of the edge are darts
         kith::catmull_clark scheme;
         scheme.sharpness.sharpen_edge(e, kith::infinitely_sharp);
         const auto in_doubles = limit_surface_of(torus, scheme);
@@ -276,7 +279,7 @@ TEST(limit_surface, of_floats_comes_as_near_as_floats_can)
     }
 }
 
-/// 112 of its vertices had no limit, on any level.
+/// Shows that vertices of a deep level have limits: 112 vertices of this mesh once had none, on any level.
 TEST(limit_surface, of_the_triangulated_cube_on_a_deep_level)
 {
     const auto cube = native(shapes::shaken(shapes::triangulated(shapes::cube())));
@@ -298,8 +301,7 @@ TEST(limit_surface, of_the_triangulated_cube_on_a_deep_level)
     expect_all(cube, kith::unified{.degree = 8}, 3, 3, 2e-2);
 }
 
-/// Coordinates times a power of two move limits alike and change no bit of a normal, as long as they are numbers at
-/// all.
+/// Checks that coordinates times a power of two scale limits and change no bit of a normal, while they are finite.
 TEST(limit_surface, normals_neither_overflow_nor_vanish)
 {
     for_each_of_all_schemes_and_shape([]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
@@ -348,7 +350,7 @@ TEST(limit_surface, normals_that_cancel_out_are_zero)
     check(kith::nasri_hasbini());
 }
 
-/// A tile with rings of ghosts knows the limits of its faces as the whole mesh does, bit for bit.
+/// Shows that a tile with rings of ghosts has the same limits of its faces as the whole mesh, bit for bit.
 TEST(limit_surface, of_a_tile_is_that_of_the_whole)
 {
     std::size_t vertices = 0;

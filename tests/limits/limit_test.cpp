@@ -24,10 +24,10 @@
 
 namespace {
 
-/// Midpoints of faces and edges; it does not know where its surface is.
+/// A scheme of midpoints of faces and edges. It has no limit rules.
 struct own_split : kith::linear {};
 
-/// The same with a mask for it, as far from the truth as can be told.
+/// A scheme with the same steps and with a limit mask, which is wrong on purpose.
 struct own_split_with_limits : kith::linear {};
 
 } // namespace
@@ -46,7 +46,7 @@ namespace {
 using kith::hierarchy;
 namespace targets = kith::targets;
 
-/// Further levels come nearer to the limit of each vertex, and it stays the same.
+/// Expects that further levels converge to the limit of each vertex, and that the limit stays the same.
 template <class Scheme>
 void expect_convergence(const mesh3d& control, const Scheme& scheme, int depth = 6)
 {
@@ -92,7 +92,7 @@ TEST(limit, of_doo_sabin_is_on_the_quadratic_b_spline_at_the_boundary)
     const auto limits = limit_positions(levels.elements(0), levels.scheme(0));
     ASSERT_TRUE(limits[0] and limits[1]);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ((*limits[0])[i], levels[0].point(0)[i]); // a corner
+        EXPECT_EQ((*limits[0])[i], levels[0].point(0)[i]); // at a corner
         EXPECT_NEAR(
             (*limits[1])[i], (levels[0].point(0)[i] + 6 * levels[0].point(1)[i] + levels[0].point(2)[i]) / 8, 1e-15);
     }
@@ -114,7 +114,7 @@ TEST(limit, interpolating_schemes_stay)
 
 namespace {
 
-/// What limit_rules weigh rings with.
+/// The functions from which limit rules compute the weights of rings.
 struct weights_of_rings : kith::limit_defaults {
     using limit_defaults::cosine_wave;
     using limit_defaults::sine_wave;
@@ -152,7 +152,7 @@ TEST(limit, faces_that_the_scheme_does_not_take_are_refused)
 
 TEST(limit, tangents_of_kobbelt_are_refused_with_the_tension_that_steps_refuse)
 {
-    const auto torus = native(shapes::torus(6, 6)); // regular, so no step is made
+    const auto torus = native(shapes::torus(6, 6)); // a regular mesh, so no step is made
     EXPECT_EQ(error_text<kith::mesh_error>([&] { limit_surface_around(torus, kith::kobbelt{.tension = 9}, {}); }),
               "kobbelt: a tension of 9.000000 was asked for; ask for one between 0 and 2.472");
 }
@@ -205,13 +205,13 @@ TEST(limit, has_masks_at_darts_and_none_while_creases_decay)
     for (const auto& limit : limits(0))
         unknown += not limit;
     EXPECT_EQ(unknown, 2U);
-    ASSERT_TRUE(limits(0)[sharp.org().index()] and limits(4)[sharp.org().index()]); // a dart for ever
+    ASSERT_TRUE(limits(0)[sharp.org().index()] and limits(4)[sharp.org().index()]); // a dart that stays sharp
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR((*limits(0)[sharp.org().index()])[i], (*limits(4)[sharp.org().index()])[i], 1e-14);
     EXPECT_FALSE(limits(1)[decaying.org().index()]);
-    EXPECT_TRUE(limits(2)[decaying.org().index()]); // 2, 1, 0
+    EXPECT_TRUE(limits(2)[decaying.org().index()]); // its sharpness is 2, 1, 0
     const auto middle = levels.assoc(0, sharp.handle(), targets::V).value;
-    ASSERT_TRUE(limits(1)[middle]); // inside the crease: a curve, though it ends in darts
+    ASSERT_TRUE(limits(1)[middle]); // inside the crease the limit is a curve, though it ends in darts
     const auto normals = limit_normals(levels.elements(1), levels.scheme(1));
     EXPECT_FALSE(normals[middle]);
     const auto of_dart = [&](int i) {
@@ -236,7 +236,7 @@ TEST(limit, the_corner_of_the_cube)
     const hierarchy levels(native(shapes::cube()), kith::catmull_clark());
     const auto limit = limit_positions(levels.elements(0), levels.scheme(0))[6];
     ASSERT_TRUE(limit);
-    // n = 3: (9 v + 4 (e1 + e2 + e3) + d1 + d2 + d3) / 24 = (9 + 4 - 1) / 24 in each coordinate
+    // The limit for n = 3 is (9 v + 4 (e1 + e2 + e3) + d1 + d2 + d3) / 24 = (9 + 4 - 1) / 24 in each coordinate.
     for (const double x : *limit)
         EXPECT_DOUBLE_EQ(x, 1. / 2);
 }
@@ -277,7 +277,7 @@ TEST(limit, a_scheme_of_ones_own_says_its_masks_beside_it)
 
 namespace {
 
-/// Each step takes vertices farther from their neighbours than the one before.
+/// A scheme whose steps increase the distances between neighbouring vertices.
 struct growing {
     static constexpr auto traits()
     {

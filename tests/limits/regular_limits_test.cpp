@@ -17,7 +17,8 @@ namespace {
 
 using kith::hierarchy;
 
-/// Expects limits of the whole mesh, where regular vertices have a program, to be those of all its vertices one by one.
+/// Expects the limits of a whole mesh, in which regular vertices have a compiled program, to equal the limits computed
+/// vertex by vertex.
 template <class Scheme>
 void expect_same_one_by_one(const mesh3d& mesh, const Scheme& scheme)
 {

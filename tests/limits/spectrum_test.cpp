@@ -15,8 +15,8 @@
 #include <map>
 #include <vector>
 
-// The local subdivision matrices of the schemes, made of their own stencil rows: their eigenvalues are those of
-// docs/schemes.md and of the papers, and the limit and tangent masks are their left eigenvectors.
+// Computes local subdivision matrices from the schemes' own stencil rows. Their eigenvalues are those of
+// docs/schemes.md and of the papers. The limit and tangent masks are their left eigenvectors.
 
 namespace {
 
@@ -28,16 +28,17 @@ mesh3d quads_around(std::size_t n, int splits = 2)
 {
     return kith::refine(native(quad_umbrella(n)), kith::linear(), splits);
 }
-/// Four rings of quads around face 0 of n corners.
+/// Makes four rings of quads around face 0, which has n corners.
 mesh3d quads_around_face(std::size_t n)
 {
     return kith::refine(native(shapes::polygon(n)), kith::nasri_hasbini(), 2);
 }
 
-/// What is lost where eigenvalues coincide without as many eigenvectors: half the digits, or more.
+/// The tolerance for defective matrices: eigenvalues that coincide without as many eigenvectors lose half of the digits
+/// or more.
 constexpr double defective = 1e-5;
 
-/// The matrix is that of the patch alone, and these are its largest eigenvalues.
+/// Expects that the matrix depends on the patch alone, and that its largest eigenvalues are these.
 void expect_spectrum(const local_matrix& local, const std::vector<double>& largest, double tolerance = 1e-12)
 {
     EXPECT_EQ(local.leak, 0);
@@ -47,7 +48,7 @@ void expect_spectrum(const local_matrix& local, const std::vector<double>& large
         EXPECT_NEAR(values[i], largest[i], tolerance) << "eigenvalue " << i;
 }
 
-/// The mask of the position is a left eigenvector to 1 with weights that sum to one.
+/// Expects that the mask of the position is a left eigenvector to the eigenvalue 1 whose weights sum to one.
 void expect_position(const local_matrix& local)
 {
     ASSERT_EQ(local.position[0].rows(), 1);
@@ -56,7 +57,7 @@ void expect_position(const local_matrix& local)
     EXPECT_LT((local.position[1] * local.matrix - local.position[0]).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// The masks of the tangents span the left eigenvectors of a pair of eigenvalues of this modulus.
+/// Expects that the masks of the tangents span the left eigenvectors of a pair of eigenvalues of this modulus.
 void expect_tangents(const local_matrix& local, double modulus)
 {
     const auto &coarse = local.tangents[0], &fine = local.tangents[1];
@@ -77,7 +78,7 @@ double cosine(std::size_t turns, std::size_t n)
     return kith::exact_cos(std::int64_t(turns), std::int64_t(n));
 }
 
-/// Doo & Sabin's and Ball & Storry's eigenvalue of Catmull-Clark.
+/// Returns Catmull-Clark's subdominant eigenvalue for valence n by the formulas of Doo & Sabin and of Ball & Storry.
 double catmull_clark_eigenvalue(std::size_t n)
 {
     const double c = cosine(1, n), half = cosine(1, 2 * n);
@@ -169,7 +170,7 @@ TEST(spectrum, doo_sabin_by_averaging)
     const kith::doo_sabin averaging{.weights = kith::doo_sabin_weights::averaging};
     for (std::size_t n = 3; n <= 20; ++n) {
         SCOPED_TRACE(n);
-        const double l = 1. / 2 + cosine(1, n) / 4; // .375 for 3, .625 for 6
+        const double l = 1. / 2 + cosine(1, n) / 4; // .375 for valence 3, .625 for valence 6
         const auto local = matrix_around_face(quads_around_face(n), averaging, 0, 1, 1);
         expect_spectrum(local, {1, l, l});
         expect_position(local);
@@ -195,7 +196,8 @@ TEST(spectrum, butterfly)
 {
     for (std::size_t n = 3; n <= 20; ++n) {
         SCOPED_TRACE(n);
-        // Quadratics: one, two or three. The regular rule reaches two rings and has more of them, then 3/16.
+        // Quadratics give one, two or three eigenvalues 1/4. The regular rule reaches two rings and has more of them,
+        // then 3/16.
         std::vector<double> largest{1, .5, .5};
         largest.resize(n == 6 ? 10 : 3 + std::min<std::size_t>(n - 2, 3), .25);
         largest.push_back(n == 6 ? 3. / 16 : 1. / 8);
@@ -249,7 +251,7 @@ TEST(spectrum, faces_of_nasri_hasbini)
         const auto local = matrix_around_face(quads_around_face(m), kith::nasri_hasbini(), 0, 1, 1);
         expect_spectrum(local, {1, 1. / 3, 1. / 3});
         EXPECT_NEAR(
-            local.spectrum()[3], std::max(value, 1. / 9), 1e-4); // of the rest the largest is at least the cup's
+            local.spectrum()[3], std::max(value, 1. / 9), 1e-4); // the largest of the rest is at least that of the cup
         const auto values = local.spectrum();
         EXPECT_TRUE(std::ranges::any_of(values, [&](double x) { return std::abs(x - value) < 1e-4; }));
     }
@@ -306,7 +308,8 @@ TEST(spectrum, linear)
 
 TEST(spectrum, four_eight_is_the_four_directional_box_spline)
 {
-    // (v) and (e) of a step, 1/2 + 1/8 four times and 1/4 four times: the symbol with each direction twice, degree six.
+    // Rows of (v) have weights 1/2 and four times 1/8; rows of (e) have four times 1/4. This is the symbol with each
+    // direction twice, of degree six.
     const auto mesh = kith::tri_quad(native(shapes::torus(6, 6)));
     kith::hierarchy levels(mesh, kith::four_eight());
     levels.refine(1);
@@ -321,7 +324,7 @@ TEST(spectrum, four_eight_is_the_four_directional_box_spline)
 
 namespace {
 
-/// Points of the plane with a cubic as their height.
+/// Returns the height of a cubic over a point of the plane.
 double cubic(double x, double y)
 {
     return 1 + x - 2 * y + x * x / 2 - x * y + y * y / 4 + x * x * x / 8 - x * x * y / 3 + x * y * y - y * y * y / 5;

@@ -29,8 +29,8 @@ bool has_row(const kith::subdivision_matrix& matrix, std::size_t i)
     return matrix.begin_of_row(i) != matrix.begin_of_row(i + 1);
 }
 
-/// Times the points they have the cross products that limit_normals gives, and no rows where it gives none. How many
-/// there are.
+/// Expects that the rows times the points give tangents with the normals of limit_normals, and that all vertices with a
+/// normal have rows. Returns the number of compared normals.
 template <class Scheme>
 std::size_t expect_normals(const mesh3d& mesh, const Scheme& scheme, int from, int to)
 {
@@ -54,7 +54,7 @@ std::size_t expect_normals(const mesh3d& mesh, const Scheme& scheme, int from, i
         EXPECT_NEAR(sums[v], 0, 1e-13);
         EXPECT_NEAR(other_sums[v], 0, 1e-13);
         if (not expected[v])
-            continue; // a mask whose tangents are parallel here
+            continue; // the tangents of this mask are parallel here
         ++found;
         const vector n = unit_cross(a[v], b[v]);
         for (std::size_t axis = 0; axis < 3; ++axis)

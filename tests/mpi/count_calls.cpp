@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands between a program and MPI (its profiling interface) and counts the calls that communicate, apart for what lies
-// between MPI_Pcontrol(1) and MPI_Pcontrol(0).
+// Counts the calls of a program that communicate, through the profiling interface of MPI. Calls between MPI_Pcontrol(1)
+// and MPI_Pcontrol(0) are counted separately.
 #include <mpi.h>
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands between a program and the system and lets a write of one rank fail, as KITH_FAULT says: "RANK:N:KIND", where
-// the N-th write of the rank throws, ends all of a sudden (kill), finds a full disk (full) or takes long (slow), and
-// "odd" throws what is no std::exception.
+// Lets one write of one rank fail. The environment variable KITH_FAULT has the form "RANK:N:KIND", where the N-th write
+// of the rank fails. The kinds: "throw" throws an exception, "odd" throws an object that is no std::exception. "kill"
+// ends the process at once, "full" reports a full disk, and "slow" takes a long time.
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>

@@ -14,7 +14,7 @@ namespace {
 using kith::element_kind;
 constexpr std::array kinds{element_kind::vertex, element_kind::edge, element_kind::face};
 
-/// A value that tells which element it belongs to.
+/// A value that identifies the element to which it belongs.
 struct label {
     kith::global_id id;
     float half;
@@ -27,7 +27,8 @@ label label_of(kith::global_id id, element_kind kind)
     return {id, float(id) / 2, char('a' + int(kind))};
 }
 
-/// Gives owners their labels and looks at what ghosts get. Returns how many there are on all ranks.
+/// Gives owned elements their labels and checks the labels that ghosts receive. Returns the number of ghosts on all
+/// ranks.
 std::uint64_t exchange_labels(const tiles3d& tiles, element_kind kind)
 {
     kith::mpi::field_exchange exchange(world(), std::span(tiles), kind);
@@ -76,7 +77,7 @@ TEST(field_exchange, tells_all_ghosts_what_their_owners_have)
 {
     const auto house = native(shapes::shaken(shapes::open_house()));
     expect_labels(house, kith::catmull_clark{}, in_blocks(house, 3));
-    expect_labels(house, kith::catmull_clark{}, scattered(house, 9, 1)); // some are empty
+    expect_labels(house, kith::catmull_clark{}, scattered(house, 9, 1)); // some parts are empty
     const auto torus = native(shapes::shaken(shapes::torus(5, 7)));
     expect_labels(torus, kith::catmull_clark{}, scattered(torus, 7, 2));
     expect_labels(torus, kith::doo_sabin{}, scattered(torus, 4, 3));
@@ -106,7 +107,8 @@ TEST(field_exchange, adds_what_ghosts_have_in_the_order_of_the_tiles)
     const auto torus = native(shapes::shaken(shapes::torus(5, 7)));
     const kith::catmull_clark scheme;
     const auto parts = scattered(torus, 6, 6);
-    // What a tile has to say of a vertex: its owned faces there, each with a number that rounds. Missing: nothing.
+    // A tile contributes to a vertex a number for each of its owned faces there; the sum of such numbers is rounded. A
+    // tile without owned faces there contributes 0.
     const auto contributions = [](const tile3d& part) {
         std::vector<double> field(part.mesh.vertex_count(), 0);
         for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
@@ -115,7 +117,8 @@ TEST(field_exchange, adds_what_ghosts_have_in_the_order_of_the_tiles)
                     field[v] += 1 / double(3 + part.face_ids[f]);
         return field;
     };
-    // Makes these sums on this rank alone: the owner's value, then those of ghosts in the order of the tiles.
+    // Computes the expected sums on this rank alone: the owner's value first, then those of ghosts in the order of the
+    // tiles.
     std::map<kith::global_id, double> expected;
     {
         kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
@@ -144,7 +147,7 @@ TEST(field_exchange, adds_what_ghosts_have_in_the_order_of_the_tiles)
     exchange.exchange(fields);
     for (std::size_t t = 0; t < tiles.size(); ++t)
         for (std::size_t v = 0; v < fields[t].size(); ++v)
-            EXPECT_EQ(fields[t][v], expected.at(tiles[t].part.vertex_ids[v])); // every bit
+            EXPECT_EQ(fields[t][v], expected.at(tiles[t].part.vertex_ids[v])); // equal to the last bit
 }
 
 TEST(field_exchange, says_when_a_tile_is_missing)

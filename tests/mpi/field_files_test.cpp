@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = vtu_files::fs;
 
-/// Collective: a directory that all ranks see, gone after the test.
+/// A directory that all ranks see, and that is removed after the test. Collective.
 class shared_directory {
 public:
     shared_directory()
@@ -45,7 +45,7 @@ private:
     std::string path_;
 };
 
-/// What jobs have left of files that they did not finish.
+/// Returns the number of files that a job began and did not finish.
 int unfinished_in(const fs::path& directory)
 {
     return int(std::ranges::count_if(fs::directory_iterator(directory), [](const auto& entry) {
@@ -56,7 +56,7 @@ int unfinished_in(const fs::path& directory)
 template <class Scheme>
 using kept_tiles = std::vector<kith::kept_tile<tile3d, Scheme>>;
 
-/// Collective: all levels of the tiles of this rank, on other ranks than those that refined them.
+/// Returns all levels of this rank's tiles after moving them to other ranks than those that refined them. Collective.
 template <class Scheme>
 kept_tiles<Scheme> kept_and_moved(const mesh3d& mesh, const Scheme& given, int levels, const kith::partition& parts)
 {
@@ -68,7 +68,7 @@ kept_tiles<Scheme> kept_and_moved(const mesh3d& mesh, const Scheme& given, int l
     return kith::mpi::repartition(world(), std::move(kept), kith::mpi::balanced_ranks(faces, world().size()), without);
 }
 
-/// Whether all points, faces and fields are those of the level that was refined as one.
+/// Expects that all points, faces and fields are those of the level that was refined as a whole.
 template <class Gathered, class Levels>
 void expect_gathered(const Gathered& gathered, const Levels& levels, int level)
 {

@@ -11,14 +11,14 @@
 
 namespace {
 
-/// The fields of every tile of this rank are those of the mesh that was refined as one.
+/// Expects the fields of a tile of this rank to be those of the mesh that was refined as a whole.
 template <class Scheme>
 void expect_same(const tile3d& part, const Scheme& scheme, const Scheme& whole)
 {
     EXPECT_EQ(some_fields::difference_in_tile(part, scheme, whole), "");
 }
 
-/// Rank 0 has the values, the others the rules only.
+/// Expects the same fields on all ranks, though only rank 0 has the values; all other ranks have only the rules.
 template <class Scheme>
 void expect_same_on_ranks(const mesh3d& mesh, const Scheme& plain, const kith::partition& parts)
 {
@@ -38,7 +38,7 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& plain, const kith::p
     }
 
     kith::tile_cutter cutter(mesh, given, parts.part_of, parts.parts);
-    // On their ranks already: then every rank says what the fields are.
+    // These tiles lie on their ranks already, so every rank passes the fields.
     auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::reach_of(given, 1));
     kith::mpi::exchanging_refinement dealt(world(), mesh, mine, parts, kith::reach_of(given, 1));
     kith::mpi::exchanging_refinement held(world(), std::move(tiles), cutter.counts(), given, kith::reach_of(given, 1));
@@ -51,7 +51,7 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& plain, const kith::p
     }
 }
 
-/// What looks(mesh, scheme) says of each tile after two steps.
+/// Expects that looks(mesh, scheme) finds no fault in any tile after two steps.
 template <class Scheme, class Looks>
 void expect_on_ranks(const mesh3d& mesh, const Scheme& given, const Looks& looks)
 {

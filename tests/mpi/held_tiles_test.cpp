@@ -16,7 +16,7 @@
 
 namespace {
 
-/// Refines tiles that lie on their ranks with `rings` rings of ghosts.
+/// Refines tiles that already lie on their ranks, with `rings` rings of ghosts.
 template <class Scheme>
 tiles3d refined_from(const mesh3d& mesh, const Scheme& scheme, int levels, const kith::partition& parts, int rings)
 {
@@ -39,7 +39,7 @@ void expect_rings_are_fetched(const mesh3d& mesh, const Scheme& scheme)
     }
 }
 
-/// State that cannot be joined.
+/// A state that cannot be merged from parts.
 struct counted {
     int steps = 0;
 
@@ -65,7 +65,7 @@ struct without_add_part {
     }
 };
 
-/// Of rank 0 something else than of all others.
+/// Returns `root` on rank 0 and `others` on all other ranks.
 template <class T>
 T other_on_root(T root, T others)
 {
@@ -93,7 +93,7 @@ TEST(held_tiles, state_is_fetched_with_the_rings)
     expect_rings_are_fetched(house, own_state::some_wrapped(house, kith::crease_method::chaikin));
     expect_rings_are_fetched(house, own_state::some_drawn(house));
 
-    // Each tile has its own state, and nobody has that of the whole mesh.
+    // Each tile has its own state, and no rank has that of the whole mesh.
     const auto scheme = own_state::some_drawn(house);
     const auto parts = scattered(house, 5, 2);
     kith::tile_cutter cutter(house, scheme, parts.part_of, parts.parts);
@@ -218,7 +218,7 @@ TEST(rank_refinement, refuses_tiles_beyond_its_memory_limit)
             EXPECT_EQ(world().sum(std::array{faces})[0], 256 * torus.face_count());
         });
     };
-    // Of the limits of the ranks the one counts that is exceeded: that of the last rank.
+    // Each rank has its own limit. The error names the limit that is exceeded: that of the last rank.
     const auto last = world().rank() == world().size() - 1;
     const std::uint64_t limit = last ? 2'000'000 : ~std::uint64_t(0);
     const std::string text = refine(4, limit, 1);
@@ -237,7 +237,7 @@ TEST(rank_refinement, refuses_tiles_beyond_its_memory_limit)
     });
     EXPECT_TRUE(held.starts_with("catmull-clark: the largest tile needs ")) << held;
 
-    // Levels that are kept need more than those that are handed over.
+    // Levels that are kept need more memory than levels that are handed over.
     const auto keep = [&](std::uint64_t most) {
         return error_text<kith::mpi::phase_error>([&] {
             kith::mpi::rank_refinement refinement(world(), torus, scheme, 3, in_blocks(torus, 12), 0, most);

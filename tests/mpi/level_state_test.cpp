@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Rank 0 has the mesh and the state, the others the options only.
+/// Expects the same result if only rank 0 has the mesh and the state; all other ranks have only the options.
 template <class Scheme>
 void expect_same_from_one_rank(const mesh3d& mesh, const Scheme& scheme, const Scheme& options,
                                const kith::partition& parts)
@@ -32,7 +32,7 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& scheme, const Scheme
 {
     expect_same_from_one_rank(mesh, scheme, options, parts);
     const auto whole = kith::refine(mesh, scheme, 3);
-    // On their ranks already: then every rank says what the state is.
+    // These tiles lie on their ranks already, so every rank passes the state.
     kith::tile_cutter cutter(mesh, scheme, parts.part_of, parts.parts);
     auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::ring_schedule(scheme, 3, 1)[0]);
     auto same = cut_tiles_of_rank(cutter, parts.parts, kith::reach_of(scheme, 1));

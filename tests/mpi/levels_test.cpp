@@ -16,7 +16,7 @@
 
 namespace {
 
-/// Of two schemes of a tile, whose creases are the same.
+/// Returns true if two schemes of a tile have the same creases.
 template <class Scheme>
 bool same_creases(const Scheme& a, const Scheme& b)
 {
@@ -26,8 +26,8 @@ bool same_creases(const Scheme& a, const Scheme& b)
         return true;
 }
 
-/// Level by level, all tiles of this rank against the levels of the mesh that was refined as one: points bit for bit,
-/// numbers, owners, and the state of the schemes. Collective.
+/// Expects all tiles of this rank, level by level, to match the levels that were refined as a whole. Points are
+/// compared bit for bit; numbers, owners and the state of the schemes must agree, too. Collective.
 template <class Levels, class Kept>
 void expect_levels(const Levels& levels, const std::vector<Kept>& tiles, int from, std::size_t parts)
 {

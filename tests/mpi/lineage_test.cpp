@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Compares the lineage of random elements that tiles of this rank have, ghosts among them.
+/// Compares the lineage of random elements of this rank's tiles, including ghosts.
 template <class Levels, class Lineage>
 std::string difference_in_tiles(const Levels& levels, const Lineage& lineage, int level, const tiles3d& tiles)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the same tests on all ranks of a job. Rank 0 prints, and what fails on any other rank, too.
+// Runs the same tests on all ranks of a job. Rank 0 prints the results, and failures on any other rank, too.
 #include "on_ranks.hpp"
 
 #include <iostream>
@@ -44,7 +44,7 @@ int main(int count, char** words)
     all_ranks = &comm;
     testing::InitGoogleTest(&count, words);
     auto& listeners = testing::UnitTest::GetInstance()->listeners();
-    failures_of_ranks failures; // of the ranks that do not print themselves
+    failures_of_ranks failures; // of the ranks that do not print
     if (not comm.is_root()) {
         delete listeners.Release(listeners.default_result_printer());
         listeners.Append(&failures);

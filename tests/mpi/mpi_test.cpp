@@ -81,7 +81,7 @@ TEST(communicator, waits_without_a_processor)
 
 TEST(send_window, holds_a_few_messages_at_a_time)
 {
-    kith::mpi::communicator comm(MPI_COMM_WORLD, 100'000); // so that no message goes in one piece
+    kith::mpi::communicator comm(MPI_COMM_WORLD, 100'000); // a limit that cuts every message
     constexpr std::size_t size = 250'001, messages = 9;
     if (comm.is_root()) {
         for (const std::size_t width : {1, 3}) {
@@ -103,7 +103,7 @@ TEST(send_window, holds_a_few_messages_at_a_time)
 TEST(all_to_all, brings_every_rank_what_is_for_it)
 {
     kith::mpi::communicator comm(MPI_COMM_WORLD, 10);
-    const auto message = [](int from, int to) { // of many lengths, some of them nothing
+    const auto message = [](int from, int to) { // of many lengths, some of them zero
         std::vector<std::uint32_t> result(std::size_t(from * 3 + to * 5) % 7);
         std::iota(result.begin(), result.end(), std::uint32_t(100 * from + to));
         return result;

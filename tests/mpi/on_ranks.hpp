@@ -19,13 +19,13 @@
 #include <utility>
 #include <vector>
 
-/// Of all ranks of the test program. What one of them finds wrong, rank 0 prints.
+/// Returns the communicator of all ranks of the test program. Rank 0 prints the failures that any rank finds.
 kith::mpi::communicator& world();
 
 using tile3d = kith::tile<std::array<double, 3>, std::uint32_t>;
 using tiles3d = std::vector<kith::numbered_tile<tile3d>>;
 
-/// Collective: the tiles of this rank, refined, with ghosts. Every rank has the mesh, so that tests can compare.
+/// Returns the refined tiles of this rank, with ghosts. Every rank has the mesh, so that tests can compare. Collective.
 template <class Scheme>
 tiles3d refined_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, const kith::partition& parts, int rings,
                       kith::mpi::sharing how = kith::mpi::sharing::spmd)
@@ -36,7 +36,7 @@ tiles3d refined_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, cons
     return result;
 }
 
-/// Local: every so many-th of the tiles, those of this rank, cut with rings of ghosts. Every rank has the mesh.
+/// Cuts the tiles of this rank, with rings of ghosts: every n-th tile on n ranks. Every rank has the mesh. Local.
 template <class Cutter>
 tiles3d cut_tiles_of_rank(Cutter& cutter, std::uint64_t tiles, int rings)
 {
@@ -56,8 +56,8 @@ inline kith::partition in_blocks(const mesh3d& mesh, std::size_t parts)
     return {partitions::blocks(mesh.face_count(), parts), parts};
 }
 
-/// Collective: every element of every tile of all ranks is where it is in the mesh that was refined as one, and has one
-/// owner.
+/// Compares every element of every tile of all ranks with the mesh that was refined as a whole. Expects exactly one
+/// owner per element. Collective.
 inline void expect_same(std::span<const kith::numbered_tile<tile3d>> tiles, const mesh3d& whole)
 {
     std::vector<int> vertices(whole.vertex_count()), edges(whole.edge_count()), faces(whole.face_count());

@@ -23,7 +23,7 @@ void put(std::ostream& out, T value)
     out.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// A file that is there for all ranks while this object is.
+/// A file that all ranks see as long as this object lives.
 class shared_file {
 public:
     explicit shared_file(const std::function<void(std::ostream&)>& write)
@@ -64,7 +64,8 @@ void write_ply(std::ostream& out, const shapes::shape& shape)
     }
 }
 
-/// The tiles that are read are those that are cut out of the whole mesh, and their surface is its surface.
+/// Compares the tiles that are read with tiles that are cut out of the whole mesh. Their refined surface must be that
+/// of the whole mesh.
 template <class Real, class Scheme>
 void expect_same(const shapes::shape& shape, const Scheme& scheme)
 {
@@ -95,7 +96,7 @@ void expect_same(const shapes::shape& shape, const Scheme& scheme)
         }
         const std::uint64_t file_bytes = shape.points.size() * (3 * sizeof(Real) + 1) +
                                          shape.faces.size() * (1 + 4 * shape.faces[0].size());
-        EXPECT_LE(read.bytes_read, file_bytes / std::uint64_t(world().size()) + 100); // a share of it, no more
+        EXPECT_LE(read.bytes_read, file_bytes / std::uint64_t(world().size()) + 100); // no more than its share
         EXPECT_EQ(world().sum(std::array{read.bytes_read})[0], file_bytes);
     }
     auto read = kith::mpi::read_tiles(world(), shared_file::path(), reach_of(scheme, 1));
@@ -163,7 +164,7 @@ TEST(read_tiles, leaves_room_for_numbers_beside_places_and_corners)
             }
         });
         const auto mesh = native(torus);
-        const auto parts = kith::block_partition(mesh, std::size_t(world().size())); // as the file is dealt out
+        const auto parts = kith::block_partition(mesh, std::size_t(world().size())); // the blocks of the file
         kith::tile_cutter cutter(mesh, kith::doo_sabin{}, parts.part_of, parts.parts);
         const auto expected = cutter.cut(std::size_t(world().rank()), 2).part;
         const auto read = kith::mpi::read_tiles(world(), shared_file::path(), 2);

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// A scheme of which nobody knows how far it reaches.
+/// A scheme that does not declare its reach.
 template <class Scheme>
 struct unknown_reach {
     Scheme known;
@@ -28,7 +28,7 @@ struct unknown_reach {
 };
 static_assert(not kith::reaching_scheme<unknown_reach<kith::catmull_clark>>);
 
-/// Refines level by level and compares every element of every tile with the mesh that was refined as one.
+/// Refines level by level and compares every element of every tile with the mesh that was refined as a whole.
 template <class Refinement, class Scheme>
 void expect_same_levels(Refinement refinement, mesh3d whole, const Scheme& scheme, int levels)
 {
@@ -61,7 +61,8 @@ void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const 
         levels);
 }
 
-/// Ghosts that grew from one ring are those that a tile keeps which was refined with more rings from the beginning.
+/// Expects that ghosts grown from one ring equal the ghosts of a tile that was refined with more rings from the
+/// beginning.
 template <class Scheme>
 void expect_same_ghosts(const mesh3d& control, const Scheme& scheme, const kith::partition& parts)
 {
@@ -128,11 +129,11 @@ TEST(exchanging_refinement, takes_tiles_of_quads_alone_beside_others)
 
 TEST(exchanging_refinement, takes_tiles_of_any_generation)
 {
-    const kith::sqrt3 scheme; // cuts the edges of the boundary in every second step
+    const kith::sqrt3 scheme; // its odd steps cut the edges of the boundary
     const auto grid = native(shapes::shaken(shapes::triangulated(shapes::grid(4, 5))));
     for (const int generation : {1, 2}) {
         const auto control = kith::refine(grid, scheme, generation);
-        for (const std::size_t parts : {1, 4}) { // of one part, most ranks have no tile to tell them
+        for (const std::size_t parts : {1, 4}) { // with one part, most ranks have no tile
             const auto partition = scattered(control, parts, 1);
             kith::tile_cutter cutter(control, scheme, partition.part_of, partition.parts);
             auto tiles = cut_tiles_of_rank(cutter, parts, reach_of(scheme, 1));

@@ -12,8 +12,7 @@
 
 namespace {
 
-/// What the whole mesh says of each element of its last level: the tuple it came from; of faces also the face of level
-/// 0.
+/// The origin of each element of the last level in the whole mesh: its tuple and, for faces, the face of level 0.
 struct parents {
     std::vector<std::pair<kith::tuple_kind, std::size_t>> of_vertex, of_edge, of_face;
     std::vector<std::size_t> root_of_face;
@@ -95,7 +94,7 @@ TEST(repartition, gives_ranks_about_as_many_faces_each)
     const auto torus = native(shapes::shaken(shapes::torus(5, 7)));
     kith::partition parts{std::vector<std::uint32_t>(torus.face_count()), 8};
     for (std::size_t f = 0; f < torus.face_count(); ++f)
-        parts.part_of[f] = f < 15 ? 0 : std::uint32_t(f % 8); // one is far too large
+        parts.part_of[f] = f < 15 ? 0 : std::uint32_t(f % 8); // one part is far too large
     auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, parts, 1);
     const auto faces = kith::mpi::owned_faces(world(), std::span<const kith::numbered_tile<tile3d>>(tiles), 8);
     std::vector<std::uint64_t> expected(8);
@@ -163,8 +162,8 @@ TEST(gather, gives_one_rank_the_mesh_that_refine_makes)
     };
     const auto house = native(shapes::shaken(shapes::open_house()));
     expect(kith::catmull_clark{}, house, 2, scattered(house, 9, 3));
-    expect(kith::doo_sabin{}, house, 2, scattered(house, 3, 3)); // of many degrees
-    for (const std::size_t row : {6, 18}) {                      // some tiles are of quads alone
+    expect(kith::doo_sabin{}, house, 2, scattered(house, 3, 3)); // with faces of many degrees
+    for (const std::size_t row : {6, 18}) {                      // some tiles have only quads
         const auto torus = native(shapes::shaken(shapes::torus_with_two_triangles(24, 24 * row)));
         expect(kith::doo_sabin{}, torus, 2, in_blocks(torus, 2));
         expect(kith::doo_sabin{}, torus, 2, in_blocks(torus, 7));

@@ -23,7 +23,7 @@ namespace {
 
 using own_level = kith::level_elements<archetypes::level>;
 
-// Each is a model,
+// Each archetype is a model of its concept.
 
 static_assert(kith::weight_number<archetypes::weight>);
 static_assert(kith::value_space<archetypes::space>);
@@ -37,7 +37,7 @@ static_assert(kith::scheme<archetypes::scheme>);
 static_assert(kith::selecting_scheme<archetypes::selecting_scheme, own_level>);
 static_assert(not kith::selecting_scheme<archetypes::scheme, own_level>);
 
-// as are those of the library,
+// So are the types of the library.
 
 static_assert(kith::level<level_type>);
 static_assert(kith::level<kith::level_elements<kith::native_level<shapes::point, std::uint64_t, 4>>>);
@@ -48,7 +48,7 @@ static_assert(kith::selecting_scheme<kith::selected<kith::catmull_clark>, level_
 static_assert(kith::selectable_scheme<kith::loop> and not kith::selectable_scheme<kith::doo_sabin>);
 static_assert(not kith::level_sink<kith::connectivity<std::uint32_t>>);
 
-// and nothing can be left out.
+// No archetype is a model any more if one member is removed.
 
 #define WITHOUT(name, base, member)                                                                                    \
     struct name : base {                                                                                               \
@@ -103,7 +103,7 @@ static_assert(not kith::level_sink<without_finish>);
 static_assert(not kith::scheme<without_columns>);
 static_assert(not kith::scheme<scheme_that_stays>);
 
-/// The numbers of elements.
+/// Returns the numbers of elements.
 std::vector<std::size_t> numbers(const auto& range)
 {
     std::vector<std::size_t> result;
@@ -112,7 +112,7 @@ std::vector<std::size_t> numbers(const auto& range)
     return result;
 }
 
-/// Calls test(level, native) for every shape.
+/// Calls test(own level, native level) for every shape.
 void for_each_pair(const auto& test)
 {
     for (const auto& [name, shape] : shapes::all_shapes()) {
@@ -122,7 +122,7 @@ void for_each_pair(const auto& test)
     }
 }
 
-/// What one step makes of the points, and its faces.
+/// Returns the mesh that one step makes.
 template <class Level, class Scheme>
 mesh3d refined(const Level& level, const Scheme& scheme)
 {
@@ -130,7 +130,7 @@ mesh3d refined(const Level& level, const Scheme& scheme)
     return kith::refine_level<kith::connect::everything>(level, scheme, 0, ids);
 }
 
-/// A step over values: run(level, values).
+/// Runs one step of a scheme over values, without connectivity.
 template <class Level, class Scheme, class Values>
 void run(const Level& level, const Scheme& scheme, Values& values)
 {
@@ -236,7 +236,7 @@ TEST(archetypes, any_sink_is_told_the_level_that_a_native_mesh_would_be)
             const auto c = t.halfedge_corner[leaving];
             ASSERT_NE(c, t.none);
             EXPECT_EQ(t.corner_vertex[c], vertex);
-            if (expected.topology().corners() == 2 * t.edges()) { // at the boundary the fans are turned
+            if (expected.topology().corners() == 2 * t.edges()) { // at the boundary, fans start elsewhere
                 EXPECT_EQ(c, t.vertex_corner[vertex]);
             }
         }

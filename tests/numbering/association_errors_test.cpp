@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Faults of a scheme, each told with its tuple. Those of new edges: edge_errors_test.cpp.
+// Each fault of a scheme is reported with its tuple. For faults of new edges see edge_errors_test.cpp.
 
 namespace {
 
@@ -164,7 +164,7 @@ TEST(association_errors, a_face_of_less_than_three_vertices)
 {
     const auto pillow = kith::make_mesh(std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                                         std::vector<std::vector<int>>{{0, 1, 2, 3}, {0, 3, 2, 1}});
-    const auto fault_of = [&](auto chosen) { // faces of vertices, with so many of the corners there
+    const auto fault_of = [&](auto chosen) { // makes faces of vertices with the chosen corners
         const auto degree = [=](const auto& v) {
             std::size_t corners = 0;
             for (const auto c : v.corners().only(chosen))

@@ -8,7 +8,8 @@
 
 #include <vector>
 
-// Each row of the thesis's table 4.1: vertices are set under tuples of its kind, and read back by other elements.
+// Each test is a row of the thesis's table 4.1: it sets vertices under tuples of this kind and reads them by other
+// elements.
 
 namespace {
 
@@ -45,7 +46,7 @@ points edge_centres()
     return result;
 }
 
-/// The last of the new vertices are at these points.
+/// Expects the last of the new vertices at these points.
 void expect_last(const points& made, const points& last)
 {
     ASSERT_GE(made.size(), last.size());
@@ -146,7 +147,7 @@ TEST(association_space, under_vertex_face_and_edge)
             assoc(v, c.f(), c.next_edge(), V) = v;
             assoc(c.prev_edge(), v, c.f(), V) = c.prev().v();
         }
-        for (auto f : coarse.faces()) // the vertices, once each as themselves and once as the one before
+        for (auto f : coarse.faces()) // averages each vertex twice: as itself and as the previous vertex
             assoc(f, V) = 1. / 2 * average(f.corners().map([&](auto c) {
                               return assoc(c.f(), c.v(), c.next_edge(), V) + assoc(c, c.prev_edge(), V);
                           }));

@@ -17,7 +17,8 @@
 #include <string>
 #include <vector>
 
-// Single associations, and the dictionary: vertices under elements that do not touch, or that have no column.
+// Tests of single associations and of the dictionary, which holds vertices under elements that do not touch or have no
+// column.
 
 namespace {
 
@@ -25,7 +26,7 @@ using namespace kith::targets;
 using kith::new_vertices;
 using points = std::vector<shapes::point>;
 
-/// Runs text(coarse, assoc) on the cube after its vertices have been copied, and returns what comes after them.
+/// Runs text(coarse, assoc) on the cube after its vertices are copied. Returns the points after these vertices.
 template <class Text>
 points after_the_vertices(const Text& text)
 {
@@ -116,7 +117,7 @@ TEST(association, the_dictionary_refuses_to_read_what_is_not_set)
                   assoc(v[0], v[6], V) = assoc(v[1], v[7], V);
               }),
               "assoc(v 1, v 7) -> V is read before it is set");
-    EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) { // whose column has been forgotten
+    EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) { // the column of these edges is missing
                   assoc(coarse.vertices()[0], coarse.vertices()[6], V) = average(assoc(coarse.faces()[2].edges(), V));
               }),
               "assoc(e 0) -> V is read before it is set; declare per_edge among the new vertices, or set it first");
@@ -145,7 +146,8 @@ TEST(association, an_association_can_be_kept_and_set_later)
               (points{{0, -1, -1}, {0, -1, -1}}));
 }
 
-/// A fan of triangles around the middle of the only face, which is kept under two of its opposite vertices.
+/// Returns a scheme that makes a fan of triangles around the middle of the only face. The middle is kept under two
+/// opposite vertices.
 auto fan_of_the_only_face()
 {
     const auto text = [](const auto& coarse, const auto& assoc) {
@@ -181,10 +183,10 @@ TEST(association, vertices_of_the_dictionary_are_counted_on_a_last_level_of_face
 
 namespace {
 
-/// Every loop in which the order of the bodies is not promised.
+/// The loops whose bodies run in undefined order.
 enum class loop { elements, numbers, blocks, refinement };
 
-/// Splits quads in four triangles about a middle, which is under no column.
+/// A scheme that splits faces into triangles around their middle, for which it declares no column.
 struct forgets_its_column {
     loop where;
 
@@ -212,7 +214,7 @@ struct forgets_its_column {
     }
 };
 
-/// The same, each step in the body of another mesh's loop.
+/// Returns the mesh refined by forgets_its_column, with each step in the body of a loop over another mesh.
 mesh3d refined_in_a_loop(const mesh3d& mesh, const mesh3d& other)
 {
     mesh3d fine;
@@ -225,7 +227,7 @@ constexpr auto of_a_face = "assoc(f 0) -> V is in no column and is written insid
                            "is undefined; declare per_face among the new vertices, or write it in a plain loop: for "
                            "(auto f : coarse.faces())";
 
-/// What a text says that is run for every vertex of a cube by for_each.
+/// Returns the error of a text that for_each runs for every vertex of a cube.
 template <class Text>
 std::string fault_in_a_loop(const Text& text)
 {

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t blocks = 7;
 
-/// How often the elements of one kind are met in all blocks of a level.
+/// Returns how often the blocks of a level contain each element of one kind.
 template <class Part>
 std::vector<int> visits(const level_type& level, std::size_t size, const Part& part)
 {
@@ -35,7 +35,7 @@ std::vector<int> visits(const level_type& level, std::size_t size, const Part& p
     return result;
 }
 
-/// A step of a scheme in blocks, and the same step on a level that has none, since it is read through the traits.
+/// Expects equal bits from a step in blocks and from a step on a level without blocks, which is read through traits.
 template <class Scheme>
 void expect_same_bits(const Scheme& scheme, const mesh3d& mesh)
 {
@@ -45,7 +45,7 @@ void expect_same_bits(const Scheme& scheme, const mesh3d& mesh)
     EXPECT_TRUE(same_bits(kith::refine_mesh<kith::connect::everything>(mesh, scheme, ids), whole));
 }
 
-/// Averages faces and then edges over faces, both loops in the same blocks if `together`.
+/// Averages faces and then edges over faces, with both loops in the same blocks if `together`. Returns the error.
 std::string averages(bool together)
 {
     const auto mesh = native(shapes::torus(64, 64)); // 4096 faces, several blocks

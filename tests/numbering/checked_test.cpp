@@ -10,7 +10,7 @@
 #include <concepts>
 #include <type_traits>
 
-// The built-in schemes say that they are trusted; here is why they may.
+// The built-in schemes declare that they are trusted. These tests show that they may.
 
 namespace {
 

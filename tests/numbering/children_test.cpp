@@ -32,7 +32,7 @@ element_ranges one(element_kind kind, std::size_t number)
     return result;
 }
 
-/// By origin: those whose parent is this element.
+/// Returns the new elements whose origin names this element as their parent.
 std::vector<std::size_t> born_by(const level_type& level, const auto& ids, element_kind kind, std::size_t number)
 {
     std::vector<std::size_t> result;
@@ -84,7 +84,7 @@ TEST(children, of_all_elements_are_all_elements_level_by_level)
 
 TEST(children, of_a_face_are_the_faces_whose_points_lie_in_it)
 {
-    auto mesh = native(shapes::grid(3, 2)); // of quads in the plane
+    auto mesh = native(shapes::grid(3, 2)); // quads in the plane
     const auto corner = mesh.point(mesh.face(4)[0]), opposite = mesh.point(mesh.face(4)[2]);
     element_ranges inner = one(element_kind::face, 4);
     for (int step = 0; step < 2; ++step) {

@@ -29,7 +29,7 @@ auto ids_on(const mesh3d& mesh, const Columns&... columns)
 constexpr auto never = [](const auto&) { return false; };
 constexpr auto always = [](const auto&) { return true; };
 
-/// Every id comes from the tuple that has it.
+/// Expects that the origin of every id is the tuple with this id.
 template <tuple_kind... Kinds>
 void expect_inverse(const auto& ids)
 {
@@ -198,7 +198,7 @@ TEST(columns, come_in_any_order)
     static_assert(std::same_as<decltype(kith::columns(faces, edges, vertices)), right>);
     static_assert(std::same_as<decltype(kith::columns(edges, vertices, faces)), right>);
     static_assert(std::same_as<decltype(kith::columns(faces, vertices)), decltype(kith::columns(vertices, faces))>);
-    // What a column holds goes along.
+    // The condition of a column is kept.
     const auto only_two = per_edge.when(false);
     EXPECT_FALSE(std::get<0>(kith::columns(faces, new_vertices(only_two)).vertices.list).where.all);
 }

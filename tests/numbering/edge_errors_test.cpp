@@ -7,7 +7,7 @@
 
 #include <string>
 
-// Faults of a scheme in the edges it declares.
+// Tests of the errors of schemes in the edges that they declare.
 
 namespace {
 
@@ -120,7 +120,7 @@ TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)
 
 TEST(edge_errors, a_fan_that_starts_at_a_corner_or_a_side_that_is_not_its_own)
 {
-    // Starts vertex 3 of a cube at so many corners behind its own, and at the side that `edge_at` gives.
+    // Starts vertex 3 of a cube `behind` corners after its own, and at the side that `edge_at` gives.
     const auto start = [](std::size_t behind, const auto& edge_at) {
         return fault(shapes::cube(), new_edges(kith::per_edge), [&](const auto& coarse, const auto& assoc) {
             copy_vertices(coarse, assoc);
@@ -136,7 +136,7 @@ TEST(edge_errors, a_fan_that_starts_at_a_corner_or_a_side_that_is_not_its_own)
     const std::string text = "assoc(v 3) -> V has a wrong start: the corner or the half-edge does not belong to it";
     EXPECT_EQ(start(0, next), "no error");
     EXPECT_EQ(start(1, next), text);
-    EXPECT_EQ(start(100'000, next), text); // where there is no corner
+    EXPECT_EQ(start(100'000, next), text); // no corner has this number
     EXPECT_EQ(start(0, previous), text);
 }
 
@@ -171,7 +171,7 @@ TEST(edge_errors, lines_with_elements_of_a_pass)
 TEST(edge_errors, edges_that_should_join_faces_and_do_not)
 {
     EXPECT_EQ(fault(shapes::cube(),
-                    new_edges(kith::per_side), // an edge for each side, so that no two faces have one in common
+                    new_edges(kith::per_side), // an edge for each side, so that no two faces share an edge
                     [](const auto& coarse, const auto& assoc) {
                         copy_vertices(coarse, assoc);
                         for (auto f : coarse.faces())

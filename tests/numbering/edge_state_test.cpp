@@ -21,9 +21,9 @@ struct half {
     double operator()(double t) const { return t / 2; }
 };
 
-/// Linear subdivision of triangles whose vertices are smoothed and whose edges have tension: an edge point lies between
-/// the middle of its edge, at tension 1, and the middle of the two far corners, at tension 0. The halves of an edge
-/// have half of its tension, the edges inside a face have none.
+/// Linear subdivision of triangles with smoothed vertices and a tension on each edge. At tension 1 an edge point is the
+/// midpoint of its edge, at tension 0 that of the two opposite corners. Each half of an edge gets half of the tension;
+/// edges inside a face get none.
 struct tense {
     using tensions = kith::field<kith::field_on::edges, double, kith::along_edges<half>>;
     tensions tension; // of the edges of this level, by e.index()
@@ -72,7 +72,7 @@ struct tense {
     }
 };
 
-/// The tetrahedron with the same tension on all of its edges.
+/// Returns a hierarchy of the tetrahedron with equal tension on all edges.
 kith::hierarchy<mesh3d, tense> tetrahedron_with(double tension)
 {
     const auto mesh = native(shapes::tetrahedron());

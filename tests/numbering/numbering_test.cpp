@@ -16,7 +16,7 @@ namespace {
 template <class Scheme>
 using numbering_of = kith::numbering<decltype(kith::columns_of(Scheme(), 0)), std::uint32_t>;
 
-/// The id under a tuple whose kind is known only by running.
+/// Returns the id under a tuple whose kind is known only at run time; `none` if its column is missing.
 template <class Ids>
 std::size_t id_of(const Ids& ids, tuple_kind kind, std::size_t index)
 {
@@ -40,7 +40,7 @@ std::size_t id_of(const Ids& ids, tuple_kind kind, std::size_t index)
     return result;
 }
 
-/// How many tuples of the columns have an id.
+/// Returns the number of tuples that have an id.
 template <class Ids>
 std::size_t count_ids(const Ids& ids, const level_type& level)
 {

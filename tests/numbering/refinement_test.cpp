@@ -24,7 +24,7 @@ using kith::new_edges;
 using kith::new_faces;
 using kith::new_vertices;
 
-/// Copies a mesh: its vertices and faces, and, if it says so, its edges.
+/// Schemes that copy a mesh: its vertices and faces; derived schemes also copy its edges.
 constexpr auto degree_of = [](const auto& f) { return f.degree(); };
 struct copy_by_faces {
     static constexpr auto columns()
@@ -73,7 +73,7 @@ struct copy_with_starts : copy_with_edges {
     }
 };
 
-/// Notes down what it was told last.
+/// A copying scheme that records the generation and the scalar type of its last step.
 struct asks : copy_by_faces {
     static inline int generation = -1;
     static inline std::size_t scalar_bytes = 0;
@@ -149,7 +149,7 @@ TEST(refinement, tells_the_scheme_the_generation_and_the_scalar_type)
 
 namespace {
 
-/// Quads at the corners, though no one knows of it while compiling, and without edges.
+/// A scheme with a quad for each corner, whose degree is not known at compile time. It declares no edges.
 struct cut_by_faces {
     static constexpr auto columns()
     {
@@ -176,7 +176,7 @@ struct cut_by_faces {
 
 namespace {
 
-/// A copy whose operators take what they may.
+/// A copying scheme whose functions take their arguments by non-const reference.
 struct by_reference : copy_by_faces {
     template <class R>
     void operator()(R& r) const

@@ -20,7 +20,7 @@ using namespace kith::targets;
 
 namespace {
 
-/// A scheme of a user's own, its loops written out, with pairs of weights for the vertices.
+/// A user-defined scheme with explicit loops and pairs of weights for the vertices.
 struct by_loops {
     static constexpr auto columns() { return kith::quad_split::columns(); }
     template <class R>
@@ -42,7 +42,7 @@ struct by_loops {
     }
 };
 
-/// The same by rules on the split.
+/// The scheme of by_loops, written as rules on the split.
 struct by_rules {
     static constexpr auto columns() { return kith::quad_split::columns(); }
     template <class R>
@@ -67,7 +67,7 @@ struct by_rules {
     }
 };
 
-/// A rule that no element obeys is not there: the edges are missing.
+/// A scheme whose rule of edges is switched off, so that edge points are missing.
 struct without_edges {
     static constexpr auto columns() { return kith::triangle_split::columns(); }
     template <class R>

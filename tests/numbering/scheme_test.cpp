@@ -80,9 +80,9 @@ TEST(scheme, may_have_a_name)
 TEST(scheme, may_count_its_next_level)
 {
     EXPECT_TRUE(countable_scheme<centroids>);
-    EXPECT_FALSE(countable_scheme<nameless>);        // tuples without a column may give birth to vertices
-    EXPECT_FALSE(countable_scheme<by_generation>);   // how many boundary vertices are even?
-    EXPECT_FALSE(countable_scheme<each_corner_cut>); // what becomes of corners at the boundary?
+    EXPECT_FALSE(countable_scheme<nameless>);        // tuples without a column may make vertices
+    EXPECT_FALSE(countable_scheme<by_generation>);   // the counts do not tell how many boundary vertices are even
+    EXPECT_FALSE(countable_scheme<each_corner_cut>); // the counts do not tell the corners at the boundary
     EXPECT_TRUE(countable_scheme<each_corner_cut_of_closed>);
 }
 

@@ -16,7 +16,7 @@
 
 namespace {
 
-/// The mesh that was given, from the ordered one and its numbers.
+/// Returns the given mesh, restored from the ordered mesh and its numbers.
 mesh3d in_given_order(const kith::ordered_mesh<mesh3d::point_type, mesh3d::index_type>& ordered)
 {
     using kith::tuple_kind;

@@ -11,7 +11,8 @@ namespace {
 
 using kith::tuple_kind;
 
-/// All tuples of one kind are listed, each once, by walking over the elements: numbers are the index of each.
+/// Expects that the indices in `numbers`, collected by a walk over the elements, are those of all tuples of one kind.
+/// Each index must occur once.
 void expect_all_once(const level_type& level, tuple_kind kind, const std::multiset<std::size_t>& numbers)
 {
     std::multiset<std::size_t> all;

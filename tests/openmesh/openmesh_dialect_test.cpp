@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// kith::openmesh beside OpenMesh::Subdivider::Uniform and beside kith on its native mesh.
+// Compares kith::openmesh with OpenMesh::Subdivider::Uniform and with kith on its native mesh.
 #include "support/all_shapes.hpp"
 #include "support/error_text.hpp"
 #include "support/openmesh_mesh.hpp"
@@ -15,7 +15,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3InterpolatingSubdividerLabsikGreinerT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
-// Not self-contained: it needs the mesh headers above it.
+// The next header is not self-contained: it needs the mesh headers above it.
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ surface surface_of(const M& m)
     return result;
 }
 
-/// Runs both, attached and in one call, one to three steps.
+/// Runs both subdividers, attached and in one call, one to three steps, and expects the same surfaces.
 template <class Theirs, class Ours, class M, class Shapes, class Takes>
 void expect_same_surfaces(const Shapes& shapes, const Takes& takes)
 {
@@ -70,7 +70,7 @@ void expect_same_surfaces(const Shapes& shapes, const Takes& takes)
             M a = make<M>(shape), b = a, c = a;
             Theirs their_subdivider;
             if constexpr (requires { their_subdivider.init_weights(200); })
-                their_subdivider.init_weights(200); // past whose end it reads
+                their_subdivider.init_weights(200); // OpenMesh reads past the end of its default table
             Ours our_subdivider;
             EXPECT_TRUE(their_subdivider.attach(a) and their_subdivider(steps));
             their_subdivider.detach();
@@ -90,7 +90,7 @@ bool is_closed(const shapes::shape& s)
 }
 const auto any = [](const shapes::shape&) { return true; };
 
-/// With attributes by request and properties of the user's own on all kinds of elements.
+/// Requests attributes of OpenMesh and adds a user's properties, on all kinds of elements.
 template <class M>
 void add_properties(M& mesh)
 {
@@ -113,7 +113,7 @@ void add_properties(M& mesh)
         mesh.set_texcoord2D(h, {float(h.idx()), float(h.idx() % 5)});
 }
 
-/// Three levels in two lines, beside a hierarchy that carries the same.
+/// Expects that subdividing in place carries the same values as a hierarchy of three levels.
 template <class Subdivider, class M>
 void expect_carried(M mesh)
 {
@@ -151,14 +151,14 @@ void expect_carried(M mesh)
     for (std::size_t i = 0; i < ours.edge_count(); ++i)
         EXPECT_EQ(mesh.status(ours.edge_at(i)).feature(), expected.status(theirs.edge_at(i)).feature());
     for (std::size_t i = 0; i < ours.corner_count(); ++i) {
-        const auto corner = [&](const auto& level, const auto& m) { // the half-edge that leads to it
+        const auto corner = [&](const auto& level, const auto& m) { // the half-edge that leads to the corner
             return kith::mesh_traits<M>::prev(m, level.corner_at(i).halfedge);
         };
         EXPECT_EQ(mesh.texcoord2D(corner(ours, mesh)), expected.texcoord2D(corner(theirs, expected)));
     }
 }
 
-/// The native mesh with these elements, for which all schemes are compiled.
+/// Returns the native mesh of these elements in the number types for which all schemes are compiled.
 template <class M>
 kith::basic_mesh<> native_of(const M& mesh)
 {
@@ -169,7 +169,8 @@ kith::basic_mesh<> native_of(const M& mesh)
     return {std::move(points), control.topology()};
 }
 
-/// The bits of kith's native mesh, and what can be seen without another way of carrying.
+/// Expects the bits of kith's native mesh, and the properties whose values can be checked without carrying them
+/// otherwise.
 template <class Subdivider, class M>
 void expect_native_bits(M mesh)
 {
@@ -211,13 +212,13 @@ TEST(openmesh_dialect, catmull_clark_without_new_positions_is_the_linear_split)
         ours::CatmullClarkT<poly_mesh>()(b, 2, false);
         EXPECT_EQ(difference(surface_of(a), surface_of(b)), "") << name;
     }
-    // With others of OpenMesh's new points stay at the origin or old ones move; here old ones stay.
+    // Other subdividers of OpenMesh leave new points at the origin or move old points; kith's keep old points.
     tri_mesh m = make<tri_mesh>(shapes::tetrahedron());
     const tri_mesh before = m;
     ours::LoopT<tri_mesh>()(m, 2, false);
     for (const auto v : before.vertices())
         EXPECT_EQ(m.point(v), before.point(v));
-    // On the first level: 3/8 of the ends, 1/8 of the others.
+    // A new point on the first level is 3/8 of each end and 1/8 of each opposite vertex.
     tri_mesh one = before;
     ours::LoopT<tri_mesh>()(one, 1, false);
     const auto e = before.edge_handle(EdgeHandle(0).idx());
@@ -282,7 +283,7 @@ TEST(openmesh_dialect, leaves_deleted_elements_deleted)
     EXPECT_EQ(user_mesh<poly_mesh>::complaints(mesh), "");
     for (int v = 0; v < 4; ++v)
         EXPECT_TRUE(mesh.status(VertexHandle(v)).deleted());
-    for (int v = 4; v < 12; ++v) // 5/9 of its corner of a cube
+    for (int v = 4; v < 12; ++v) // 5/9 of its corner of the cube
         EXPECT_NEAR(mesh.point(VertexHandle(v))[1], control.point(VertexHandle(v))[1] * 5 / 9, 1e-15);
     mesh.garbage_collection();
     EXPECT_EQ(mesh.n_vertices(), 26U);
@@ -364,9 +365,9 @@ TEST(openmesh_dialect, what_a_later_step_does_not_take_has_the_number_of_its_han
     ours::Sqrt3T<mesh> sqrt3;
     sqrt3.attach(m);
     sqrt3(1);
-    for (int f = 0; f < 12; ++f) // those of the tetrahedron
+    for (int f = 0; f < 12; ++f) // the faces of the tetrahedron
         m.delete_face(FaceHandle(f));
-    m.delete_face(FaceHandle(17)); // then a neighbour has two sides at the boundary
+    m.delete_face(FaceHandle(17)); // a neighbour now has two boundary edges
     const auto text = error_text<kith::mesh_error>([&] { sqrt3(1); });
     EXPECT_NE(text.find("face 15 has 2 boundary edges"), std::string::npos) << text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes of OpenMesh with traits of their own and values of many types, refined in place.
+// Refines meshes of OpenMesh that have their own traits and values of many types, in place.
 #include "support/failing_allocations.hpp"
 #include "support/openmesh_mesh.hpp"
 #include "support/property_names.hpp"
@@ -54,7 +54,7 @@ struct list {
     friend bool operator==(const list&, const list&) = default;
 };
 
-/// A value of any type that stands for a number.
+/// Returns a value of any type that stands for the number n.
 template <class T>
 T value_of(int n)
 {
@@ -132,7 +132,7 @@ surface surface_of(const M& m)
     return result;
 }
 
-/// All that can be seen of a mesh, points to the bit.
+/// Returns a text with all that is visible of a mesh; points are exact to the bit.
 template <class M>
 std::string text_of(M& m)
 {
@@ -233,7 +233,7 @@ TEST(openmesh_in_place, an_object_is_one_of_openmeshs_base_class)
     EXPECT_TRUE((*loop)(m, 1));
     EXPECT_EQ(m.n_faces(), 256U);
 
-    // Steps of sqrt(3) at a boundary are counted from attach() on, through the base class, too.
+    // Steps of sqrt(3) at a boundary are counted from attach() on, also if called through the base class.
     const auto umbrella = make<own_triangles>(shapes::umbrella(7));
     own_triangles a = umbrella, b = umbrella, c = umbrella;
     kith::openmesh::Sqrt3T<own_triangles> sqrt3;
@@ -259,7 +259,7 @@ TEST(openmesh_in_place, long_edges_are_split_as_openmesh_does)
     EXPECT_TRUE(their_split(theirs, 1));
     kith::openmesh::LongestEdgeT<own_triangles, double> split;
     EXPECT_TRUE(split(m, 1));
-    EXPECT_EQ(m.n_faces(), control.n_faces()); // no length yet
+    EXPECT_EQ(m.n_faces(), control.n_faces()); // no maximal length is set yet
     split.set_max_edge_length(0);
     EXPECT_THROW(split(m, 1), kith::mesh_error);
     split.set_max_edge_length(0.3);
@@ -278,7 +278,7 @@ TEST(openmesh_in_place, long_edges_are_split_as_openmesh_does)
         const auto parent = FaceHandle(ids[f]);
         EXPECT_GT(dot(m.calc_face_normal(f), control.calc_face_normal(parent)), 0.999999);
     }
-    // Corners of old vertices keep their values; a boundary edge keeps its kind along all its parts.
+    // Corners of old vertices keep their values; a boundary edge keeps its kind on all its parts.
     for (const auto h : m.halfedges())
         if (not m.is_boundary(h) and std::size_t(m.to_vertex_handle(h).idx()) < control.n_vertices()) {
             const auto parent = FaceHandle(ids[m.face_handle(h)]);

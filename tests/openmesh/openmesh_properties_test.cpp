@@ -27,7 +27,7 @@ using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 using names = std::vector<std::string>;
 
-/// With attributes by request and properties of one's own on all kinds of elements.
+/// Returns the mesh with requested attributes and a user's properties on all kinds of elements.
 template <class M>
 M with_properties(M mesh)
 {
@@ -88,7 +88,7 @@ void expect_carried(const M& control, const Scheme& scheme)
     EXPECT_EQ(found, expected);
     EXPECT_EQ(features, expected_features);
 
-    // Every corner that is at an old vertex has the coordinates that this vertex has in the old face.
+    // Every corner at an old vertex has the coordinates that this vertex has in the old face.
     std::size_t old_corners = 0;
     for (const auto h : fine.halfedges()) {
         if (fine.is_boundary(h))
@@ -248,7 +248,7 @@ TEST(openmesh_properties, marks_of_steps_are_not_carried)
     kith::hierarchy<tri_mesh, kith::sqrt3> levels(control);
     levels.refine(3);
     tri_mesh fine = levels[2];
-    const auto report = kith::carry_properties(levels, 1, 2, fine); // of a level that an odd step has made
+    const auto report = kith::carry_properties(levels, 1, 2, fine); // to a level that an odd step made
     EXPECT_TRUE(std::ranges::none_of(report.carried, [](const auto& name) { return name.starts_with("kith:"); }));
     EXPECT_TRUE(same_bits(kith::refine(fine, kith::sqrt3(), 1), levels[3]));
 }
@@ -304,7 +304,7 @@ TEST(openmesh_properties, what_inherits_nothing_is_zero_and_never_left_open)
             }
         }
     };
-    const auto soil = [] { // memory that is handed out next is not clear
+    const auto soil = [] { // fills memory, so that later allocations are not zero
         std::vector<std::vector<unsigned char>> blocks;
         for (std::size_t size = 64; size < 40000; size += 64)
             blocks.emplace_back(size, 0x7b);

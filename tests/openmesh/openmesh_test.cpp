@@ -26,7 +26,7 @@ poly_mesh make(const shapes::shape& s)
     return user_mesh<poly_mesh>::make(s.points, s.faces);
 }
 
-/// The first four faces and vertices are marked as deleted and still there.
+/// Makes a cube behind a tetrahedron, whose four faces and vertices are marked as deleted but still stored.
 poly_mesh cube_after_deleted_tetrahedron()
 {
     auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
@@ -38,7 +38,7 @@ poly_mesh cube_after_deleted_tetrahedron()
     return result;
 }
 
-/// Everything that OpenMesh can keep with elements, said in the traits.
+/// The traits with all attributes that OpenMesh can keep with elements.
 struct attributed_traits : OpenMesh::DefaultTraitsDouble {
     static constexpr unsigned texture = OpenMesh::Attributes::TexCoord1D | OpenMesh::Attributes::TexCoord2D |
                                         OpenMesh::Attributes::TexCoord3D;
@@ -50,7 +50,7 @@ struct attributed_traits : OpenMesh::DefaultTraitsDouble {
     FaceAttributes(all | OpenMesh::Attributes::TextureIndex);
 };
 
-/// The same, asked for while the program runs.
+/// Requests all attributes of OpenMesh at run time.
 template <class M>
 void request_everything(M& mesh)
 {
@@ -103,7 +103,7 @@ void expect_everything_zero(const M& mesh)
     }
 }
 
-/// It is refined on a native mesh, which is copied.
+/// A scheme that is not trusted, so that it is refined on a native mesh, which is copied.
 struct untrusted : kith::catmull_clark {
     static constexpr auto traits()
     {
@@ -113,7 +113,7 @@ struct untrusted : kith::catmull_clark {
     }
 };
 
-/// Memory that nobody has written to does not hold zeros by chance.
+/// A guard that fills unused memory with a pattern, so that fresh memory does not hold zeros by chance.
 struct dirty_memory {
     dirty_memory() { mallopt(M_PERTURB, 0x5a); }
     dirty_memory(const dirty_memory&) = delete;
@@ -229,7 +229,7 @@ TEST(openmesh, features_are_creases_and_corners)
     kith::hierarchy levels(mesh, kith::catmull_clark{.corners = {}, .sharpness = kith::creases_from_features(mesh, 1)});
     levels.refine();
     EXPECT_EQ(levels[1].point(levels.assoc(0, edge, kith::targets::V)), OpenMesh::Vec3d(1, 0, 1));
-    // A vertex of sharpness 1 stays for one step, and is smooth from then on.
+    // A vertex of sharpness 1 stays for one step and is smooth from then on.
     EXPECT_EQ(levels[1].point(OpenMesh::VertexHandle(0)), OpenMesh::Vec3d(-1, -1, -1));
     EXPECT_EQ(levels.scheme(0).sharpness.edges().size(), 1U);
     EXPECT_EQ(levels.scheme(0).sharpness.vertices().size(), 1U);

@@ -89,7 +89,7 @@ TEST(catmull_clark, the_boundary_of_openmesh_takes_thirds)
     EXPECT_EQ(fine.point(1), (exact_point{1, 0, rational(1, 2)}));
     EXPECT_EQ(fine.point(2), (exact_point{2, 0, rational(19, 24)}));
 
-    auto sharp = scheme; // far from a crease and where one ends the rule is the same
+    auto sharp = scheme; // far from a crease and at its end the rule does not change
     sharp.sharpness.sharpen_vertex(7, kith::infinitely_sharp);
     fine = once(shapes::grid(2, 4), sharp);
     EXPECT_EQ(fine.point(2), (exact_point{2, 0, rational(19, 24)}));

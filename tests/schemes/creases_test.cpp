@@ -21,7 +21,7 @@ namespace {
 
 using level_type = kith::level_of<mesh3d>;
 
-/// A 4 x 4 grid of quads; vertices by row and column.
+/// A 4 x 4 grid of quads, with vertices numbered row by row.
 struct plane {
     mesh3d mesh = native(shapes::grid(4, 4));
     level_type level{mesh};
@@ -81,7 +81,7 @@ TEST(creases, chaikin_ones_mix_with_their_neighbours)
     sharp.sharpen_edge(p.edge(6, 7), 2);
     sharp.sharpen_edge(p.edge(7, 8), 4);
     EXPECT_EQ(sharp.child_sharpness(p.vertex(7), p.edge_of(6, 7)), 3. / 4 * 2 + 1. / 4 * 4 - 1);
-    EXPECT_EQ(sharp.child_sharpness(p.vertex(6), p.edge_of(6, 7)), 1.); // no other one there
+    EXPECT_EQ(sharp.child_sharpness(p.vertex(6), p.edge_of(6, 7)), 1.); // no other sharp edge there
 }
 
 TEST(creases, an_infinitely_sharp_line_is_a_cubic_curve)

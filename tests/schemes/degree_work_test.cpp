@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing may cost more than O(n log n) in a valence or in the degree of a face. No test is timed: the additions of
-// values and the steps from half-edge to half-edge are counted instead.
+// No function may cost more than O(n log n) in a valence or in the degree of a face. The tests measure no times: they
+// count the additions of values and the steps from half-edge to half-edge.
 #include "support/large_shapes.hpp"
 #include "support/native_shape.hpp"
 
@@ -27,11 +27,11 @@ namespace {
 
 std::size_t work = 0;
 
-/// A native mesh all of whose walks are counted.
+/// A native mesh whose walks are counted.
 struct counting_mesh : mesh3d {
     counting_mesh(mesh3d mesh) : mesh3d(std::move(mesh)) {}
 };
-/// A number all of whose sums are counted.
+/// A number whose sums are counted.
 struct counted {
     double value;
 };
@@ -59,7 +59,7 @@ struct kith::affine<counted> {
 
 namespace {
 
-/// Walks and sums of one step.
+/// Returns the number of walks and sums in one step.
 template <class Scheme>
 std::size_t work_of(const mesh3d& mesh, const Scheme& scheme)
 {
@@ -72,7 +72,8 @@ std::size_t work_of(const mesh3d& mesh, const Scheme& scheme)
     return work;
 }
 
-/// `prepare` makes of a shape and a size the mesh, `scheme_of` the scheme for it.
+/// Expects that the work of a step grows no faster than n log n in the size n of a shape. `prepare` changes the mesh of
+/// the shape; scheme_of(mesh) returns the scheme.
 template <class SchemeOf>
 void expect_no_squares(
     const char* name, shapes::shape (*make)(std::size_t), const SchemeOf& scheme_of,

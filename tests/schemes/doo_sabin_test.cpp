@@ -21,7 +21,7 @@ using kith::doo_sabin_boundary;
 using vertex = kith::mesh_traits<exact_mesh>::vertex;
 using face = kith::mesh_traits<exact_mesh>::face;
 
-/// The new point of a vertex in a face.
+/// Returns the new point of a vertex in a face.
 exact_point corner_point(const shapes::shape& s, std::uint32_t v, std::uint32_t f, const doo_sabin& scheme = {})
 {
     kith::hierarchy levels(exact(s), scheme);
@@ -29,7 +29,7 @@ exact_point corner_point(const shapes::shape& s, std::uint32_t v, std::uint32_t 
     return levels[1].point(levels.assoc(0, vertex{v}, face{f}, kith::targets::V).value);
 }
 
-/// x = 0 16 32, y = 0 16 32, z = x y / 16: a bilinear surface over four quads.
+/// Returns a bilinear surface over four quads: x = 0 16 32, y = 0 16 32, z = x y / 16.
 shapes::shape bilinear()
 {
     auto result = shapes::grid(2, 2);
@@ -79,7 +79,7 @@ TEST(doo_sabin, the_thesis_cuts_corners_along_the_boundary)
     EXPECT_EQ(corner_point(bilinear(), 1, 0), (exact_point{12, 0, 0}));  // 3/4 of vertex 1, 1/4 of vertex 0
     EXPECT_EQ(corner_point(bilinear(), 1, 1), (exact_point{20, 0, 0}));  // 3/4 of vertex 1, 1/4 of vertex 2
     EXPECT_EQ(corner_point(bilinear(), 0, 0), (exact_point{0, 0, 0}));   // with two boundary edges it stays
-    EXPECT_EQ(corner_point(bilinear(), 4, 0), (exact_point{12, 12, 9})); // and inside all is as ever
+    EXPECT_EQ(corner_point(bilinear(), 4, 0), (exact_point{12, 12, 9})); // inner points do not depend on the boundary
 }
 
 TEST(doo_sabin, clamped_keeps_the_boundary_and_halves_beside_it)
@@ -112,7 +112,7 @@ TEST(doo_sabin, clamped_keeps_a_straight_boundary_where_faces_are_no_quads)
                 right = std::max(right, x);
             }
         EXPECT_GE(near_origin, 2U);
-        EXPECT_EQ(left, -4); // and its ends stay
+        EXPECT_EQ(left, -4); // its ends stay
         EXPECT_EQ(right, 4);
     }
 }

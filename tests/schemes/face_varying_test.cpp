@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-/// A value that has no order.
+/// A type of values without an order.
 struct shade {
     double grey = 0;
 
@@ -53,7 +53,7 @@ std::size_t corner_of(const mesh3d& mesh, std::size_t face, std::size_t vertex)
     return mesh.topology().first_corner(face) + std::size_t(found - vertices.begin());
 }
 
-/// Numbers at the corners of a mesh, which Catmull-Clark refines once.
+/// Numbers at the corners of a mesh, which Catmull-Clark refines by one step.
 class numbers {
 public:
     explicit numbers(const mesh3d& mesh) : mesh_(mesh), values_(mesh.corner_count())
@@ -74,7 +74,7 @@ public:
         fine_.assign(field.values().begin(), field.values().end());
         return *this;
     }
-    /// What a vertex, and the edge to the next vertex of the face, got.
+    /// Returns the refined number of a vertex in a face; `after` returns that of the edge to the next vertex.
     [[nodiscard]] double at(std::size_t face, std::size_t vertex) const
     {
         return fine_[4 * corner_of(mesh_, face, vertex)];
@@ -89,7 +89,7 @@ private:
     std::vector<double> values_, fine_;
 };
 
-/// The edge between two vertices.
+/// Returns the edge between two vertices; 0 if there is none.
 std::size_t edge_between(const mesh3d& mesh, std::size_t a, std::size_t b)
 {
     const kith::level_of<mesh3d> level(mesh);
@@ -100,7 +100,7 @@ std::size_t edge_between(const mesh3d& mesh, std::size_t a, std::size_t b)
     return 0;
 }
 
-/// A seam along one in so many edges, with numbers of no pattern on its sides.
+/// Returns values with seams along random edges, one in `one_in`. The values on the sides of seams are random.
 std::vector<double> cut_at_random(const mesh3d& mesh, std::uint32_t one_in, std::uint32_t seed)
 {
     std::minstd_rand random(seed);
@@ -125,7 +125,7 @@ std::vector<double> cut_at_random(const mesh3d& mesh, std::uint32_t one_in, std:
     return result;
 }
 
-/// Zeros on a grid of nine quads, but for the two sides of the edge from v5 to v9.
+/// Returns zeros on a grid of nine quads, except on the two sides of the edge from v5 to v9.
 std::vector<double> seam_from_5_to_9(const mesh3d& mesh, std::array<double, 2> at_5, std::array<double, 2> at_9)
 {
     std::vector<double> result(mesh.corner_count());
@@ -219,7 +219,7 @@ TEST(face_varying, of_everything_linear_and_of_linear_schemes_is_linear_in_faces
     EXPECT_THROW(kith::refine_with_fields(mesh, kith::doo_sabin{}, 1, std::tie(field)), kith::mesh_error);
 }
 
-// Two unit squares side by side, each with the whole texture: a seam along their common edge.
+// Two unit squares side by side, each with the whole texture, have a seam along their common edge.
 TEST(face_varying, of_two_charts)
 {
     const auto mesh = native(
@@ -234,7 +234,7 @@ TEST(face_varying, of_two_charts)
     for (const auto linear : all_choices) {
         const auto kept = refined(linear, boundary_corner::kept, 1);
         const auto smoothed = refined(linear, boundary_corner::smoothed, 1);
-        // The vertices, the middles of the edges behind them, and that of the face.
+        // The vertices, the middles of the next edges, and that of the face.
         EXPECT_EQ(kept[0], (uv{0, 0}));
         EXPECT_EQ(kept[4], linear == none ? (uv{.875, .125}) : (uv{1, 0}));
         EXPECT_EQ(kept[16], linear == none ? (uv{.125, .125}) : (uv{0, 0}));
@@ -249,13 +249,13 @@ TEST(face_varying, of_two_charts)
     }
 }
 
-// A grid of nine quads; v5 is inside, and its faces are 0 (from v0), 1 (v1), 3 (v4) and 4 (v5).
+// A seam ends at v5, an inner vertex of a grid of nine quads. Its faces are 0 (from v0), 1 (v1), 3 (v4) and 4 (v5).
 TEST(face_varying, where_a_seam_ends)
 {
     const auto mesh = native(shapes::grid(3, 3));
     for (const auto linear : all_choices) {
         numbers values(mesh);
-        values.set(1, {0}, 100).refine(linear); // on the other side 1
+        values.set(1, {0}, 100).refine(linear); // the other side has 1
         const bool stays = linear == corners_plus2 or linear == boundaries or linear == all;
         const double expected = stays ? 5 : .75 * 5 + .125 * (100 + 1);
         for (const std::size_t f : {0, 1, 3, 4})
@@ -274,14 +274,14 @@ TEST(face_varying, where_two_or_three_values_meet)
     const auto mesh = native(shapes::grid(3, 3));
     for (const auto linear : all_choices) {
         const bool curves = linear == none or linear == corners_only;
-        numbers two(mesh); // faces 0 and 3 on the left of v5 against 1 and 4
+        numbers two(mesh); // faces 0 and 3, left of v5, differ from 1 and 4
         two.set(5, {0, 3}, 50).refine(linear);
         const bool linear_boundary = linear == boundaries or linear == all;
         EXPECT_EQ(two.at(0, 5), linear_boundary ? 50 : .75 * 50 + .125 * (1 + 9));
         EXPECT_EQ(two.at(3, 5), two.at(0, 5));
         EXPECT_EQ(two.at(1, 5), linear_boundary ? 5 : .75 * 5 + .125 * (1 + 9));
 
-        numbers corner(mesh); // face 0 against the three others
+        numbers corner(mesh); // face 0 differs from the three others
         corner.set(5, {0}, 50).refine(linear);
         EXPECT_EQ(corner.at(0, 5), linear == none ? .75 * 50 + .125 * (1 + 4) : 50);
         const bool follows = curves or linear == corners_plus1;
@@ -292,7 +292,7 @@ TEST(face_varying, where_two_or_three_values_meet)
         EXPECT_EQ(three.at(0, 5), linear == none ? .75 * 50 + .125 * (1 + 4) : 50);
         EXPECT_EQ(three.at(3, 5), curves ? .75 * 5 + .125 * (4 + 6) : 5);
 
-        numbers again(mesh); // one value on both sides of another: both of its places stay
+        numbers again(mesh); // one value in two opposite faces: the values of all faces stay
         again.set(5, {0}, 50).set(5, {4}, 50).refine(linear);
         EXPECT_EQ(again.at(0, 5), 50);
         EXPECT_EQ(again.at(4, 5), 50);
@@ -321,7 +321,7 @@ TEST(face_varying, with_something_sharp_between_seams)
             EXPECT_EQ(values.at(0, 5), 50);
             EXPECT_EQ(values.at(1, 5), depends ? 5 : other);
         }
-        // A sharp edge under the seam itself is nothing that its sides do not have already.
+        // A sharp edge under the seam itself changes nothing.
         catmull_clark under;
         under.sharpness.sharpen_edge(edge_between(mesh, 5, 1), 3);
         values.refine(linear, under);
@@ -398,7 +398,7 @@ TEST(face_varying, takes_values_without_an_order_and_those_that_are_no_numbers)
     const auto mesh = native(shapes::shaken(shapes::torus(5, 7)));
     auto values = cut_at_random(mesh, 3, 11);
     const kith::level_of<mesh3d> level(mesh);
-    double value = 1; // of the four faces two and two say the same
+    double value = 1; // opposite faces of the four have equal values
     for (const auto c : level.vertices()[12].corners())
         values[c.index()] = value = 3 - value;
     for (const auto linear : all_choices) {
@@ -415,7 +415,7 @@ TEST(face_varying, takes_values_without_an_order_and_those_that_are_no_numbers)
         for (std::size_t c = 0; c < expected.size(); ++c)
             EXPECT_EQ(shaded[c].grey, expected[c]);
 
-        // A face without values is a chart of its own, like one with other values than all others.
+        // A face without values is a separate chart, like a face whose values differ from all others.
         auto holed = values, other = values;
         for (std::size_t c = 0; c < 4; ++c) {
             holed[c] = std::numeric_limits<double>::quiet_NaN();
@@ -483,7 +483,7 @@ TEST(face_varying, is_joined_from_parts_of_a_level)
     const auto mesh = native(shapes::grid(3, 3));
     kith::hierarchy levels(mesh, catmull_clark{});
     levels.refine(2);
-    const auto crossing = seam_from_5_to_9(mesh, {1, 3}, {3, 1}); // whose marks its values do not tell
+    const auto crossing = seam_from_5_to_9(mesh, {1, 3}, {3, 1}); // its seams do not follow from its values
     const auto whole = levels.carry(0, 1, kith::on_corners(crossing, face_varying{corners_plus1}));
     auto joined = kith::field<kith::field_on::corners, double, face_varying>(whole.rule());
     for (const std::uint32_t parity : {1, 0}) {

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// It is a closed manifold with so many elements.
+/// Expects a closed manifold with these numbers of elements.
 void expect_closed(const figures::shape& shape, std::size_t vertices, std::size_t edges, std::size_t faces)
 {
     const auto mesh = native(shape);
@@ -22,7 +22,7 @@ void expect_closed(const figures::shape& shape, std::size_t vertices, std::size_
     EXPECT_EQ(count(mesh.topology()).boundary_edges, 0U);
 }
 
-/// Positive when faces are counter-clockwise seen from outside.
+/// Returns the volume, which is positive if faces are counter-clockwise seen from outside.
 double volume(const figures::shape& shape)
 {
     double result = 0;

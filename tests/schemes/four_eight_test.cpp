@@ -19,7 +19,7 @@ namespace {
 using faces = std::vector<std::vector<std::size_t>>;
 using ends = std::pair<std::size_t, std::size_t>;
 
-/// These faces over points that lie here and there.
+/// Returns a mesh with these faces over random points.
 mesh3d scattered(const faces& list, std::size_t vertices)
 {
     std::minstd_rand random;
@@ -41,14 +41,14 @@ bool joins_no_vertices_twice(const mesh3d& mesh)
 {
     return edges_of(mesh).size() == mesh.edge_count();
 }
-/// All that a surface is, whatever the numbers of its vertices.
+/// Returns the sorted points, which do not depend on the numbers of vertices.
 auto sorted_points(const mesh3d& mesh)
 {
     std::vector<shapes::point> result(mesh.points().begin(), mesh.points().end());
     std::ranges::sort(result);
     return result;
 }
-/// Whether some choice of diagonals joins no two vertices twice.
+/// Returns true if there is a choice of diagonals that joins no two vertices twice.
 bool has_choice(const mesh3d& quads)
 {
     const auto edges = edges_of(quads);
@@ -67,7 +67,7 @@ bool has_choice(const mesh3d& quads)
             return true;
     return false;
 }
-/// The complete graph of five vertices on a torus: all diagonals are edges.
+/// Returns the complete graph of five vertices on a torus, in which all diagonals are edges.
 faces five_on_a_torus()
 {
     faces result;
@@ -76,7 +76,7 @@ faces five_on_a_torus()
     return result;
 }
 
-/// A square of two triangles that both start with the diagonal 0-2.
+/// Returns a square of two triangles, which both start with the diagonal 0-2.
 mesh3d square()
 {
     return tri_quad(native({{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 8}}, {{0, 1, 2, 3}}}));
@@ -162,14 +162,14 @@ TEST(four_eight, finds_diagonals_where_there_are_any_and_the_order_of_faces_chan
     for (int round = 0; round < 60; ++round) {
         faces list = round % 3 == 0 ? five_on_a_torus() : faces{{0, 1, 2, 3}, {3, 2, 1, 0}};
         std::size_t vertices = round % 3 == 0 ? 5 : 4;
-        for (auto cuts = 1 + random() % 4; cuts > 0; --cuts) { // a path through a face, along one of its diagonals
+        for (auto cuts = 1 + random() % 4; cuts > 0; --cuts) { // cuts a face along a path between opposite vertices
             auto& face = list[random() % list.size()];
             std::ranges::rotate(face, face.begin() + std::ptrdiff_t(random() % 2));
             const auto old = std::exchange(face, {face[0], face[1], face[2], vertices});
             list.push_back({old[0], vertices++, old[2], old[3]});
         }
         if (round % 2 == 0)
-            list.erase(list.begin()); // a boundary
+            list.erase(list.begin()); // makes a boundary
         std::vector<std::size_t> name(vertices);
         for (std::size_t v = 0; v < vertices; ++v)
             name[v] = v;

@@ -37,7 +37,7 @@ TEST(interpolatory_sqrt3, reproduces_cubics_between_regular_vertices)
 {
     const auto torus = native(shapes::triangulated(shapes::torus(8, 8)));
     const auto cubic = [](double x, double y) { return x * x * x - 2 * x * x * y + 3 * y * y * y + x * y - 5 * x + 7; };
-    std::vector<double> values; // of a lattice that is torn open far from the middle
+    std::vector<double> values; // on a lattice, whose cuts lie far from the middle
     for (int i = 0; i < 64; ++i)
         values.push_back(cubic(i % 8, i / 8));
     kith::hierarchy levels(torus, interpolatory_sqrt3());

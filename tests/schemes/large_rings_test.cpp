@@ -52,7 +52,7 @@ void refine_once(const shapes::shape& shape, const Scheme& scheme, const Test& t
 
 constexpr std::size_t on_both_sides[] = {kith::longest_row, kith::longest_row + 1, 98};
 
-/// The rule of docs/schemes.md for the points of an inner vertex, weight by weight.
+/// Returns the weights of a point at an inner vertex by the rule of docs/schemes.md.
 row ternary_row(const level_vertex& v, std::size_t i, kith::ternary_point point)
 {
     using kith::ternary_point;

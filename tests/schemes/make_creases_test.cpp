@@ -33,7 +33,7 @@ std::size_t sharp_edges(const shapes::shape& s, double degrees)
     return creases_by_angle(native(s), degrees).edges().size();
 }
 
-/// A property map as Boost's: read by get(map, handle).
+/// A property map in the style of Boost, read by get(map, handle).
 struct marks {
     std::vector<bool> of;
 
@@ -44,7 +44,7 @@ struct marks {
     }
 };
 
-/// An array that takes handles in brackets.
+/// An array with operator[] for handles.
 struct numbers {
     std::vector<float> of;
 

@@ -10,7 +10,7 @@ using namespace marks_and_parity;
 
 namespace {
 
-/// What looks(mesh, scheme) says of each tile of the last of three levels, by messages, too.
+/// Expects "" from looks(mesh, scheme, level) for each tile of level 3, and for level 0 after a message.
 template <class Scheme, class Looks>
 void expect_in_tiles(const mesh3d& mesh, const Scheme& given, const Looks& looks)
 {
@@ -53,7 +53,7 @@ TEST(marks_and_parity, are_cut_packed_and_refined_in_tiles)
     }
 }
 
-/// Marks that the user chooses become those of the mesh, and come back as they were given.
+/// Marks chosen by the user become those of the mesh and are returned unchanged.
 TEST(marks_and_parity, marks_of_a_users_own_come_back)
 {
     const auto mesh = native(shapes::shape{{{0, 0, 0}, {2, 0, 0}, {2, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});

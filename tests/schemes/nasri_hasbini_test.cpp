@@ -9,7 +9,7 @@
 
 namespace {
 
-/// The tensor product of a ternary cubic B-spline rule in each direction, in units of 1/729.
+/// Returns the weights of the tensor product of two ternary cubic B-spline rules, given in units of 1/27.
 std::vector<double> product(std::initializer_list<double> a, std::initializer_list<double> b)
 {
     std::vector<double> result;

@@ -53,7 +53,7 @@ TEST(registry, has_a_page_of_each_scheme)
 
 TEST(registry, has_tests_and_golden_vectors_of_each_scheme)
 {
-    // Its numbers are compared with those of OpenMesh, by tests and by compare_openmesh.
+    // Tests and compare_openmesh compare the numbers of this scheme with those of OpenMesh.
     const std::set<std::string> without_vectors{"interpolatory_sqrt3"};
     for_each_registered([&](const auto*, const std::string& header) {
         EXPECT_TRUE(std::filesystem::exists(test_dir / "schemes" / (header + "_test.cpp"))) << header;

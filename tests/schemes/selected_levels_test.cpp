@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// What hierarchies, fields and creases make of levels that are refined here and there.
+// Tests of hierarchies, fields and creases on levels that are refined in selected faces.
 
 using kith::hierarchy;
 using kith::selected;
@@ -47,8 +47,8 @@ hierarchy<mesh3d, selected<kith::loop>> some_levels(unsigned seed)
     return levels;
 }
 
-/// Each element of a level has one ancestor on a coarser one, and is one of its descendants; all these are as many as
-/// there are.
+/// Expects that each element of a level is a descendant of its ancestor on a coarser level. The number of all
+/// descendants must be the number of elements.
 template <class Levels>
 void expect_family(const Levels& levels, int coarser, int finer)
 {
@@ -86,7 +86,7 @@ void expect_family(const Levels& levels, int coarser, int finer)
     EXPECT_EQ(found, fine.vertex_count() + fine.edge_count() + fine.face_count());
 }
 
-/// The first two coordinates of all corners of a level.
+/// Returns the first two coordinates of all corners of a level.
 template <class Level>
 std::vector<std::array<double, 2>> coordinates_at_corners(const Level& level)
 {
@@ -149,7 +149,7 @@ TEST(selected_levels, another_selection_gives_up_what_was_undone)
     levels.refine_if([](handles::face f) { return f.value == 0; });
     EXPECT_EQ(levels.undone(), 0);
     levels.undo();
-    levels.refine(); // all of them, not those of the level that was undone
+    levels.refine(); // all faces, not those of the level that was undone
     EXPECT_TRUE(same_bits(levels.finest(), kith::refine(triangles(), kith::loop(), 1)));
     hierarchy straight(triangles(), selected(kith::loop()));
     straight.refine();
@@ -166,7 +166,7 @@ TEST(selected_levels, are_redone_after_another_step_has_failed)
     levels.refine_flagged(one);
     auto points = std::vector(levels[1].points().begin(), levels[1].points().end());
     points[0][2] += 1;
-    levels.move_points(1, std::span<const point>(points)); // so that it stays when it is undone
+    levels.move_points(1, std::span<const point>(points)); // so that the level stays when it is undone
     const auto expected = levels.carry(0, 1, std::span<const double>(std::vector<double>(mesh.vertex_count(), 1)));
     levels.undo();
     failing::fails = true;
@@ -254,7 +254,7 @@ TEST(selected_levels, faces_inherit_and_corners_are_linear)
     look(kith::linear(), polygons());
 }
 
-// Coordinates that differ from face to face tell from which face of the control mesh each corner has its own.
+// Values that differ from face to face show from which face of the control mesh each corner has its value.
 TEST(selected_levels, corners_stay_on_their_side_of_seams)
 {
     const auto look = [](const auto& scheme, const mesh3d& mesh) {

@@ -44,7 +44,7 @@ struct checked : S {
     }
 };
 
-/// Calls test(scheme, mesh) for a scheme of triangles and one of polygons, on closed and open meshes.
+/// Calls test(scheme, mesh) for schemes of triangles and of polygons, on closed and open meshes.
 template <class Test>
 void for_each_scheme(const Test& test)
 {
@@ -56,7 +56,7 @@ void for_each_scheme(const Test& test)
     }
 }
 
-/// The red faces of a level without green ones, and its cut edges, by going over all faces again and again.
+/// The red faces and the cut edges of a level without green faces, found by repeated loops over all faces.
 struct closed_by_force {
     std::vector<bool> is_red, is_cut;
     std::size_t greens = 0;
@@ -108,7 +108,7 @@ point middle(const point& a, const point& b)
     return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-/// No vertex lies on an edge but those at its ends; of flat meshes, and of others where no edges cross.
+/// Expects that no vertex lies on an edge except at its ends, in flat meshes and others whose edges do not cross.
 void expect_no_vertex_on_edges(const mesh3d& mesh)
 {
     for (std::size_t e = 0; e < mesh.edge_count(); ++e) {
@@ -125,7 +125,7 @@ void expect_no_vertex_on_edges(const mesh3d& mesh)
     }
 }
 
-/// Squares.
+/// Returns a flat grid of unit squares.
 shapes::shape flat_grid()
 {
     auto result = shapes::grid();
@@ -245,7 +245,7 @@ TEST(selected, no_vertex_lies_on_an_edge)
     }
 }
 
-// Red triangles are those of full refinement, similar to those of the control mesh, and green ones their halves.
+// Red triangles are those of full refinement, similar to those of the control mesh. Green triangles are their halves.
 TEST(selected, angles_are_those_of_control_triangles_and_their_halves)
 {
     const auto control = native(shapes::shaken(figures::triangulated(shapes::house())));
@@ -273,7 +273,7 @@ TEST(selected, angles_are_those_of_control_triangles_and_their_halves)
     }
 }
 
-// A strip that becomes narrower from level to level, so that green faces lie along all of it.
+// The refined strip becomes narrower from level to level, so that green faces lie along all of it.
 TEST(selected, angles_of_smooth_schemes_do_not_shrink_with_depth)
 {
     const auto look = [](const auto& scheme) {
@@ -321,7 +321,7 @@ TEST(selected, quads_of_a_grid_stay_squares_and_have_no_more_than_one_vertex_on_
     }
 }
 
-// The faces of full refinement go down the levels with those that are chosen a ring further inside each time.
+// Each level selects faces one ring further inside. The test follows these faces in full refinement, too.
 TEST(selected, inside_the_chosen_faces_points_are_those_of_full_refinement)
 {
     const auto look = [](const auto& scheme, const mesh3d& mesh) {
@@ -329,7 +329,7 @@ TEST(selected, inside_the_chosen_faces_points_are_those_of_full_refinement)
         hierarchy levels(mesh, selected(scheme));
         hierarchy full(mesh, scheme);
         std::vector<bool> is_right(mesh.face_count(), true); // faces whose points are those of full refinement
-        std::vector<handles::face> same_face;                // and their faces there
+        std::vector<handles::face> same_face;                // the same faces in full refinement
         for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
             same_face.push_back({f});
         std::size_t compared = 0;
@@ -382,7 +382,7 @@ TEST(selected, an_edge_with_one_green_end_is_halved_by_a_scheme_of_wide_masks)
 {
     hierarchy levels(native(shapes::shaken(figures::triangulated(shapes::grid(6, 6)))), selected(kith::butterfly()));
     levels.refine_faces(std::array{handles::face{30}});
-    levels.refine(); // all faces, and each green pair is split as the face that it was
+    levels.refine(); // all faces; each green pair is split like the face before it
     const auto& level = levels.elements(1);
     std::vector<int> parts(levels[0].face_count(), 0);
     const auto parent = [&](const auto& f) { return levels.ancestor(1, f.handle(), 0).f->value; };
@@ -395,7 +395,7 @@ TEST(selected, an_edge_with_one_green_end_is_halved_by_a_scheme_of_wide_masks)
     int first_alone = 0, second_alone = 0, other_masks = 0;
     for (const auto e : level.edges()) {
         if (not e.is_boundary() and parent(e.lface()) == parent(e.rface()) and parts[parent(e.lface())] == 2)
-            continue; // between a green pair: it is gone
+            continue; // between a green pair: the edge is removed
         const point made = levels[2].point(levels.assoc(1, e.handle(), kith::targets::V).value);
         const bool is_halved = made == middle(e.org().point(), e.dst().point());
         const bool first = is_green[e.org().index()], second = is_green[e.dst().index()];

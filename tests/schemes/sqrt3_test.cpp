@@ -15,7 +15,7 @@
 
 namespace {
 
-/// One triangle with its corners at (0,0,0), (27,0,0), (0,27,0).
+/// Returns one triangle with its corners at (0,0,0), (27,0,0), (0,27,0).
 mesh3d triangle()
 {
     return native({{{0, 0, 0}, {27, 0, 0}, {0, 27, 0}}, {{0, 1, 2}}});
@@ -61,7 +61,7 @@ TEST(sqrt3, an_odd_step_trisects_the_boundary)
     EXPECT_EQ(count(fine.topology()).boundary_edges, 9U);
     EXPECT_TRUE(has_point(fine, {4, 4, 0}));  // (4 v0 + 19 v1 + 4 v2) / 27 at the corner (0,0,0)
     EXPECT_TRUE(has_point(fine, {10, 1, 0})); // (v0 + 16 v1 + 10 v2) / 27 on the edge to (27,0,0)
-    EXPECT_TRUE(has_point(fine, {16, 1, 0})); // and its other point
+    EXPECT_TRUE(has_point(fine, {16, 1, 0})); // the other point on this edge
 }
 
 TEST(sqrt3, two_steps_make_nine_triangles_of_one)

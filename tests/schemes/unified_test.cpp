@@ -22,7 +22,7 @@ using kith::unified;
 
 namespace {
 
-/// Every second coefficient of ((1+z)/2)^(degree+1), times 2: one of the two rules of the uniform B-spline.
+/// Returns every second coefficient of 2 ((1+z)/2)^(degree+1), which is one of the two rules of the uniform B-spline.
 std::vector<double> b_spline(int degree, int first)
 {
     std::vector<double> row{std::ldexp(1., -degree)}; // of Pascal's triangle
@@ -43,7 +43,7 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
     return result;
 }
 
-/// A closed mesh of 2n quads with two vertices of valence n, numbers 0 and 1, among vertices of valence three.
+/// Returns a closed mesh of 2n quads. Vertices 0 and 1 have valence n, all others valence three.
 shapes::shape trapezohedron(std::size_t n)
 {
     const double turn = std::acos(-1.) / double(n);
@@ -62,8 +62,8 @@ shapes::shape trapezohedron(std::size_t n)
 using level_type = kith::level_of<mesh3d>;
 using corner_type = kith::corner<level_type>;
 
-/// The vertices up to some rings around corners of one level, each with the one that lies in the same place around the
-/// same corners of the next.
+/// Returns a map of the vertices in `rings` rings around corners of one level. It maps each vertex to the one at the
+/// same place around the corresponding corners of the next level.
 std::map<std::size_t, std::size_t> same_places(std::vector<std::pair<corner_type, corner_type>> ring, int rings)
 {
     std::map<std::size_t, std::size_t> result;
@@ -85,8 +85,8 @@ std::map<std::size_t, std::size_t> same_places(std::vector<std::pair<corner_type
     return result;
 }
 
-/// The subdominant eigenvalue at an extraordinary vertex or face of valence n, by power iteration: what is
-/// antisymmetric around it is refined, and the fine values near it take the places of the coarse ones.
+/// Returns the subdominant eigenvalue at an extraordinary vertex or face of valence n, by power iteration. It refines
+/// antisymmetric values around the element, and then replaces the coarse values by the fine ones at the same places.
 double subdominant_eigenvalue(int degree, std::size_t n)
 {
     constexpr int level = 3;

@@ -23,7 +23,8 @@ namespace {
 
 using level_type = kith::level_of<mesh3d>;
 
-/// 4 x 4 quads; vertices by row and column: 12 is the middle, 2 and 10 lie on the boundary, 0 is its corner.
+/// A test on 4 x 4 quads, with vertices numbered row by row. Vertex 12 is the middle, 2 and 10 lie on the boundary, and
+/// 0 is its corner.
 struct vertex_types_of_a_grid : testing::Test {
     auto edge(std::size_t a, std::size_t b) const { return kith::edge(level, edge_between(level, a, b)); }
     auto vertex(std::size_t v) const { return level.vertices()[v]; }
@@ -31,7 +32,7 @@ struct vertex_types_of_a_grid : testing::Test {
     {
         return type_of(vertex(v), sharp, corners);
     }
-    /// Where one step of Catmull-Clark moves a vertex.
+    /// Returns the new point of a vertex after one step of Catmull-Clark.
     shapes::point refined(std::size_t v) const
     {
         return kith::refine(mesh, kith::catmull_clark{.corners = {}, .sharpness = sharp}, 1).point(v);

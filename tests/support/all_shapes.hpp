@@ -14,7 +14,7 @@
 
 namespace shapes {
 
-/// Flips edges of triangles. It looks their half-edges up, so that the shapes of many flips may be large.
+/// An edge flipper for triangle meshes. It looks half-edges up in a map, so that many flips of a large shape are fast.
 class edge_flips {
 public:
     explicit edge_flips(shape& s) : shape_(s)
@@ -24,7 +24,8 @@ public:
                 face_of_.emplace(std::pair(s.faces[f][i], s.faces[f][(i + 1) % 3]), f);
     }
 
-    /// Flips the first edge of a triangle, unless it lies at the boundary or the flipped one is there already.
+    /// Flips the first edge of a triangle and returns true. Changes nothing and returns false if the edge lies on the
+    /// boundary or the flipped edge exists already.
     bool flip(std::size_t face)
     {
         const std::size_t a = shape_.faces[face][0], b = shape_.faces[face][1], p = shape_.faces[face][2];
@@ -37,13 +38,13 @@ public:
         const std::size_t other = face_of_.at({b, a});
         face_of_.erase({a, b});
         face_of_.erase({b, a});
-        set(face, {q, p, a}); // of the diamond a q b p
+        set(face, {q, p, a}); // the two halves of the diamond a q b p
         set(other, {p, q, b});
         return true;
     }
 
 private:
-    /// The triangle with half-edge a -> b, turned to start so.
+    /// Returns the triangle with half-edge a -> b, rotated to start at a; null if there is none.
     std::vector<std::size_t>* turned_to(std::size_t a, std::size_t b)
     {
         const auto found = face_of_.find({a, b});
@@ -64,7 +65,7 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_;
 };
 
-/// Triangles whose edges have been flipped at random: all kinds of valences, the same for the same seed.
+/// Returns a triangle mesh with edges flipped at random, so that many valences occur. The seed determines the result.
 inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
 {
     std::minstd_rand random(seed);
@@ -74,7 +75,7 @@ inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
     return s;
 }
 
-/// A torus of n x n quads, one of which is cut in two.
+/// Returns a torus of n x n quads, in which the given quad is cut into two triangles.
 inline shape torus_with_two_triangles(std::size_t n, std::size_t quad)
 {
     shape result = torus(n, n);
@@ -84,12 +85,12 @@ inline shape torus_with_two_triangles(std::size_t n, std::size_t quad)
     return result;
 }
 
-/// A torus of triangles with vertices of all valences from 3 to 17.
+/// Returns a torus of triangles that has vertices of all valences from 3 to 17.
 inline shape torus_of_all_valences()
 {
     shape s = triangulated(torus(20, 20));
     edge_flips edges(s);
-    const auto faces_at = [&s](std::size_t v, std::size_t place) { // and v is brought to this place in them
+    const auto faces_at = [&s](std::size_t v, std::size_t place) { // also rotates these faces so that v has this place
         std::vector<std::size_t> result;
         for (std::size_t f = 0; f < s.faces.size(); ++f)
             if (const auto at = std::ranges::find(s.faces[f], v); at != s.faces[f].end()) {
@@ -100,9 +101,9 @@ inline shape torus_of_all_valences()
         return result;
     };
     for (std::size_t valence = 3; valence <= 17; ++valence) {
-        const std::size_t i = valence - 2, v = 100 * (i / 4) + 5 * (i % 4); // five edges from the next one
+        const std::size_t i = valence - 2, v = 100 * (i / 4) + 5 * (i % 4); // five edges from the next such vertex
         for (std::size_t now = faces_at(v, 0).size(), turn = 0; now != valence; ++turn) {
-            const auto faces = faces_at(v, now < valence ? 2 : 0); // flips what is opposite or ends there
+            const auto faces = faces_at(v, now < valence ? 2 : 0); // flips an edge opposite to v, or one that ends at v
             edges.flip(faces[5 * turn % faces.size()]);
             now = faces_at(v, 0).size();
         }
@@ -110,7 +111,7 @@ inline shape torus_of_all_valences()
     return s;
 }
 
-/// The same surface with vertices and faces in any other order.
+/// Returns the surface with its vertices and faces in random order. The seed determines the result.
 inline shape shuffled(const shape& s, std::uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -132,8 +133,8 @@ inline shape shuffled(const shape& s, std::uint32_t seed)
     return result;
 }
 
-/// Polygons made by joining neighbours at random, where they have only one edge in common. Its ends keep two edges and
-/// more besides.
+/// Returns the shape after attempts to merge random pairs of neighbouring faces. Faces are merged only if they share
+/// one edge and no other vertex, and if both ends of this edge have at least four faces.
 inline shape with_joins(shape s, std::uint32_t seed, int joins)
 {
     std::minstd_rand random(seed);
@@ -198,7 +199,7 @@ inline std::vector<named_shape> all_shapes()
     return result;
 }
 
-/// For schemes that make a face of every vertex.
+/// Returns all shapes without an inner vertex of valence two, for schemes that make a face of every vertex.
 inline std::vector<named_shape> shapes_without_valence_two()
 {
     auto result = all_shapes();

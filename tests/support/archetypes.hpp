@@ -20,18 +20,18 @@
 #include <span>
 #include <vector>
 
-/// For each concept a class that has what the concept asks, and nothing else: what compiles with it asks for no more
-/// than what is written.
+/// Archetypes: for each concept a class that has the members that the concept requires, and no others. Code that
+/// compiles with an archetype requires no more than the concept.
 namespace archetypes {
 
-/// Neither copied nor moved, nor made of nothing.
+/// A base class that makes its derived classes neither copyable nor movable.
 struct stays {
     stays() = default;
     stays(const stays&) = delete;
     stays& operator=(const stays&) = delete;
 };
 
-/// A weight is made of a number and divided.
+/// A weight, which can be made from a number and divided by another weight, and nothing else.
 class weight {
 public:
     explicit weight(double value) : value_(value) {}
@@ -43,7 +43,7 @@ private:
     double value_;
 };
 
-/// What operands and weights a mask has added up.
+/// A sum of a mask: the hash of the operands and weights that were added up.
 class total {
 public:
     explicit total(kith::hash_value value) : value_(value) {}
@@ -53,7 +53,7 @@ private:
     kith::hash_value value_;
 };
 
-/// A value space: the hashes of the operands.
+/// A value space whose values are hashes of the operands.
 struct space {
     using scalar = weight;
     using sum = total;
@@ -72,13 +72,13 @@ struct space {
     }
 };
 
-/// What a vertex of the coarse level is called.
+/// Returns the hash that stands for a vertex of the coarse level.
 inline kith::hash_value name_of(std::size_t vertex)
 {
     return {kith::mix_bits(vertex + 1)};
 }
 
-/// The values of a step.
+/// The values of one step, which are hashes.
 class values : public space, stays {
 public:
     values() = default;
@@ -105,7 +105,7 @@ private:
     std::vector<kith::hash_value> made_, listed_;
 };
 
-/// A handle is copied and compared.
+/// A handle, which can only be copied and compared.
 template <class Kind>
 class handle {
 public:
@@ -117,7 +117,7 @@ private:
     std::size_t number_;
 };
 
-/// A level: the elements of a native one under other names.
+/// A level with the elements of a native level, under handles of other types.
 class level : stays {
     using native = kith::native_level<shapes::point, std::uint32_t, 0>;
     static constexpr std::size_t nowhere = kith::connectivity<std::uint32_t>::none;
@@ -185,7 +185,7 @@ private:
     native native_;
 };
 
-/// What a step writes into: it remembers what it is told.
+/// A sink, into which a step writes. It records the points, faces and starts that it receives.
 class sink : stays {
 public:
     using point_type = shapes::point;
@@ -220,7 +220,7 @@ private:
     int generation_ = -1;
 };
 
-/// A scheme: quads around new vertices, whose edges are matched.
+/// A scheme of quads around new vertices. It declares no edges, so that they are found by matching.
 class scheme {
 public:
     explicit scheme(double pull) : pull_(pull) {}
@@ -251,7 +251,7 @@ private:
     double pull_;
 };
 
-/// One that is told which faces to refine.
+/// A scheme that can be given a selection of faces to refine.
 class selecting_scheme : public scheme {
 public:
     using scheme::scheme;

@@ -21,7 +21,8 @@ using epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 template <class Kernel>
 using surface_mesh = CGAL::Surface_mesh<CGAL::Point_3<Kernel>>;
 
-/// A property map that is there; CGAL 5 returns a pair, CGAL 6 an optional.
+/// Returns the property map of this name and type; throws if there is none. CGAL 5 finds maps as a pair, CGAL 6 as an
+/// optional.
 template <class Index, class T, class Point>
 auto map_of(const CGAL::Surface_mesh<Point>& mesh, const char* name)
 {

@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-/// Expects that the arrays of a mesh belong together: what schemes write directly must be what matching would find.
+/// A check that the connectivity arrays of a mesh are consistent. The arrays that schemes write directly must be those
+/// that matching would find.
 template <class Index>
 struct consistent {
     explicit consistent(const kith::connectivity<Index>& topology)
@@ -45,7 +46,7 @@ struct consistent {
         for (const Index v : t.corner_vertex)
             ASSERT_LT(v, t.vertices);
     }
-    /// Corners and half-edges lead to each other, and every edge has a left face.
+    /// Expects that corners and half-edges refer to each other and that every edge has a left face.
     void expect_sides() const
     {
         for (Index c = 0; c < t.corners(); ++c) {
@@ -59,7 +60,7 @@ struct consistent {
         for (std::size_t e = 0; e < t.edges(); ++e)
             EXPECT_NE(t.halfedge_corner[2 * e], t.none) << "edge " << e;
     }
-    /// The sides of an edge run against each other, and no edge is missing or there twice.
+    /// Expects that the two half-edges of an edge run in opposite directions and that no edge is missing or repeated.
     void expect_edges() const
     {
         std::map<std::pair<Index, Index>, std::size_t> halves;
@@ -79,7 +80,7 @@ struct consistent {
             EXPECT_EQ(count, std::max(halves[ends], halves[{ends.second, ends.first}]))
                 << "edge " << ends.first << '-' << ends.second;
     }
-    /// Each fan has all faces of its vertex, and starts at the boundary if it has one.
+    /// Expects that the fan of each vertex has all faces of the vertex, and starts at the boundary if there is one.
     void expect_fans() const
     {
         std::vector<std::size_t> faces(t.vertices, 0);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-/// The text of the error of this type that f throws; "no error" if it throws none.
+/// Returns the text of the error of type `Error` that f throws; "no error" if f throws nothing.
 template <class Error, class F>
 std::string error_text(const F& f)
 {

@@ -10,7 +10,7 @@
 
 using level_type = kith::level_of<mesh3d>;
 
-/// Calls test(level) for every shape.
+/// Calls test(level) for the native level of every shape.
 template <class Test>
 void for_each_level(const Test& test)
 {

@@ -16,7 +16,8 @@ std::string name_of(const Scheme&)
     return std::string(kith::scheme_name<Scheme>());
 }
 
-/// Calls test(scheme, shape) for the schemes of the thesis, with their boundary conventions, and every shape they take.
+/// Calls test(scheme, mesh) for the schemes of the thesis, with their boundary conventions, and every shape that they
+/// accept.
 template <class Test>
 void for_each_scheme_and_shape(const Test& test)
 {
@@ -43,7 +44,7 @@ void for_each_scheme_and_shape(const Test& test)
        kith::sqrt3{});
 }
 
-/// The same for the schemes besides.
+/// Calls test(scheme, mesh) for the other schemes and every shape that they accept.
 template <class Test>
 void for_each_other_scheme_and_shape(const Test& test)
 {
@@ -55,7 +56,7 @@ void for_each_other_scheme_and_shape(const Test& test)
         const auto mesh = native(shape);
         run(kith::linear{}, mesh);
         run(kith::nasri_hasbini{}, mesh);
-        if (name != "valence two") // of which it would make a face of two corners
+        if (name != "valence two") // mid-edge would make a face with two corners there
             run(kith::mid_edge{}, mesh);
         run(kith::four_eight{}, kith::tri_quad(mesh));
         const int degree = mesh.topology().degree;

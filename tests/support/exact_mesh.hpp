@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-/// Meshes over fractions: what a scheme computes with them is exact.
+/// A point with rational coordinates, so that schemes compute exactly.
 using exact_point = std::array<rational, 3>;
 using exact_mesh = kith::basic_mesh<exact_point, std::uint32_t>;
 
@@ -23,7 +23,7 @@ inline exact_mesh exact(const shapes::shape& s)
     return kith::make_mesh(points, s.faces);
 }
 
-/// The number of the edge between two vertices.
+/// Returns the number of the edge between two vertices. Precondition: there is such an edge.
 inline std::size_t edge_number(const exact_mesh& mesh, std::size_t a, std::size_t b)
 {
     const auto& t = mesh.topology();

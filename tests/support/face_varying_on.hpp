@@ -17,8 +17,8 @@
 #include <tuple>
 #include <vector>
 
-/// Values at corners of a mesh of another library, where every third face is a chart of its own, go the same way as on
-/// the native mesh that is lifted from it: level by level and by `refine_with_fields`.
+/// Expects that values at the corners of an M are refined as on the native copy of the mesh. It tests a hierarchy and
+/// `refine_with_fields`; every third face is a chart of its own.
 template <class M>
 void expect_face_varying_as_native(bool open)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Replaces the global operator new and aligned_alloc, from which large blocks come. Include it in one file of a
+// Replaces the global operator new, and aligned_alloc, which provides large blocks. Include it in one file of a
 // program.
 
 #include <atomic>
@@ -11,13 +11,13 @@
 #include <new>
 #include <string>
 
-/// Lets allocations fail on purpose, in all threads.
+/// Functions that let allocations fail on purpose, in all threads.
 namespace failing_allocations {
 
 inline std::atomic<long> counted{0}, first_to_fail{-1};
 inline std::atomic<bool> counts{false}, fails_forever{false}, has_failed{false};
 
-/// Counts one allocation and returns whether it fails.
+/// Counts one allocation and returns true if it is to fail.
 inline bool fails()
 {
     if (not counts)
@@ -28,7 +28,7 @@ inline bool fails()
     return result;
 }
 
-/// Starts counting from 0. Allocation n fails, and all later ones if `forever`; with n < 0 none fails.
+/// Starts counting allocations from 0. Allocation n fails, and all later ones if `forever`; if n < 0, none fails.
 inline void fail_at(long n, bool forever = false)
 {
     first_to_fail = n;
@@ -37,7 +37,7 @@ inline void fail_at(long n, bool forever = false)
     counted = 0;
     counts = true;
 }
-/// Stops counting and failing; returns how many allocations were asked for since fail_at().
+/// Stops counting and failing. Returns the number of allocations since fail_at().
 inline long stop()
 {
     counts = false;
@@ -46,26 +46,26 @@ inline long stop()
 
 /// The outcome of one call under failing allocations.
 struct trial {
-    long allocation;   ///< the one that failed
-    bool forever;      ///< so did all later ones
-    bool has_thrown;   ///< std::bad_alloc
-    std::string other; ///< the text of another exception; a test expects none
-    bool has_failed;   ///< an allocation did fail: later trials change nothing
+    long allocation;   ///< number of the allocation that was to fail
+    bool forever;      ///< true if all later allocations failed, too
+    bool has_thrown;   ///< true if std::bad_alloc was thrown
+    std::string other; ///< text of another exception; tests expect it to be empty
+    bool has_failed;   ///< true if an allocation failed; if not, later trials would change nothing
 
-    /// For SCOPED_TRACE.
+    /// Returns a description of the trial, for SCOPED_TRACE.
     [[nodiscard]] std::string text() const
     {
         return "allocation " + std::to_string(allocation) + (forever ? " and all later ones fail" : " fails");
     }
 };
 
-/// Lets every allocation of run() fail, first each one alone, then each one and all later ones. Before each trial calls
-/// prepare(), after it check(trial), neither of which fails. Tries every `step`-th allocation.
+/// Lets every allocation of run() fail: first each one alone, then each one and all later ones. Calls prepare() before
+/// each trial and check(trial) after it; in these, no allocation fails. Tries every `step`-th allocation.
 template <class Prepare, class Run, class Check>
 void try_all(const Prepare& prepare, const Run& run, const Check& check, long step = 1)
 {
     prepare();
-    run(); // what is allocated once per process
+    run(); // makes the allocations that happen once per process
     for (const bool forever : {false, true}) {
         bool has_failed = true;
         for (long n = 0; has_failed; n += step) {
@@ -90,10 +90,10 @@ void try_all(const Prepare& prepare, const Run& run, const Check& check, long st
 
 } // namespace failing_allocations
 
-// NOLINTBEGIN(misc-definitions-in-headers): one file of a program includes this
+// NOLINTBEGIN(misc-definitions-in-headers): only one file of a program includes this header
 extern "C" void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept
 {
-    void* result = nullptr; // posix_memalign is known to the sanitizers, too
+    void* result = nullptr; // the sanitizers know posix_memalign, too
     return failing_allocations::fails() or posix_memalign(&result, alignment, bytes) != 0 ? nullptr : result;
 }
 void* operator new(std::size_t bytes)

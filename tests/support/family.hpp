@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-/// What two say of who descends from whom: a hierarchy, of elements, and a lineage, of numbers.
+/// Comparisons of the ancestors and descendants that a hierarchy gives as elements and a lineage as numbers.
 namespace family {
 
 template <class Levels, class F>
@@ -31,7 +31,8 @@ std::size_t size(const Levels& levels, int level, kith::element_kind kind)
                                               : here.face_count();
 }
 
-/// Of one element: its ancestor on a coarser level, and all that descends from that.
+/// Returns the first difference for one element, or "". Compares its ancestor on a coarser level and all descendants of
+/// that ancestor.
 template <class Levels, class Lineage>
 std::string difference(const Levels& levels, const Lineage& lineage, int level, const kith::numbered_element& x,
                        int coarser)
@@ -54,7 +55,7 @@ std::string difference(const Levels& levels, const Lineage& lineage, int level, 
     return down == known ? "" : "descendants differ, above " + who;
 }
 
-/// Of all elements of a level, and all coarser levels.
+/// Returns the first difference for all elements of a level and all coarser levels, or "".
 template <class Levels, class Lineage>
 std::string difference(const Levels& levels, const Lineage& lineage, int level)
 {
@@ -66,7 +67,7 @@ std::string difference(const Levels& levels, const Lineage& lineage, int level)
     return {};
 }
 
-/// Of some elements of a level, by lot.
+/// Returns the first difference for `count` elements of a level and coarser levels chosen at random, or "".
 template <class Levels, class Lineage>
 std::string difference_of_some(const Levels& levels, const Lineage& lineage, int level, std::uint32_t seed, int count)
 {

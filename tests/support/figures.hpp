@@ -8,27 +8,27 @@
 #include <vector>
 
 /// The control meshes of the thesis's figures, for examples, tests and measurements:
-/// `kith::make_mesh(f.points, f.faces)`. The thesis prints the counts of the first four; where a figure shows a body
-/// without its numbers, the proportions are those of unit cubes.
+/// `kith::make_mesh(f.points, f.faces)`. The thesis prints the counts of the first four. If a figure shows a body
+/// without its coordinates, the body is made of unit cubes.
 namespace figures {
 
 using point = std::array<double, 3>;
 using polygons = std::vector<std::vector<std::size_t>>;
 
-/// Points, and faces counter-clockwise seen from outside.
+/// Points and faces; the faces are counter-clockwise seen from outside.
 struct shape {
     std::vector<point> points;
     polygons faces;
 };
 
-/// V, E, F = 8, 12, 6.
+/// Returns a cube; V, E, F = 8, 12, 6.
 inline shape cube()
 {
     return {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
             {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }
 
-/// Each face cut along the diagonals from its second corner; of the cube V, E, F = 8, 18, 12.
+/// Cuts each face along the diagonals from its second corner. The cube becomes V, E, F = 8, 18, 12.
 inline shape triangulated(const shape& s)
 {
     shape result{s.points, {}};
@@ -38,7 +38,7 @@ inline shape triangulated(const shape& s)
     return result;
 }
 
-/// A pentagonal prism with a roof: triangles, quads and a pentagon; V, E, F = 11, 20, 11.
+/// Returns a pentagonal prism with a roof: triangles, quads and a pentagon; V, E, F = 11, 20, 11.
 inline shape pentacube()
 {
     const double turn = 2 * std::acos(-1.) / 5;
@@ -54,8 +54,7 @@ inline shape pentacube()
     return result;
 }
 
-/// rows * columns quads, closed in both directions, valence 4 everywhere; V, E, F = 288, 576, 288 unless told
-/// otherwise.
+/// Returns a torus of rows * columns quads, with valence 4 everywhere. By default V, E, F = 288, 576, 288.
 inline shape torus(std::size_t rows = 12, std::size_t columns = 24)
 {
     const double turn = 2 * std::acos(-1.);
@@ -73,8 +72,8 @@ inline shape torus(std::size_t rows = 12, std::size_t columns = 24)
 
 using cell = std::array<int, 3>;
 
-/// The surface of unit cubes, each given by its corner nearest the origin. Precondition: no two of them touch in an
-/// edge or a corner only.
+/// Returns the surface of unit cubes, each given by its smallest corner. Precondition: no two cubes touch only in an
+/// edge or in a corner.
 inline shape cubes(const std::vector<cell>& cells)
 {
     shape result;
@@ -103,13 +102,13 @@ inline shape cubes(const std::vector<cell>& cells)
     return result;
 }
 
-/// Four cubes in a T; V, E, F = 20, 36, 18.
+/// Returns four cubes in a T; V, E, F = 20, 36, 18.
 inline shape t_shape()
 {
     return cubes({{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 1, 0}});
 }
 
-/// The ends of the edges around the upper face of the T, which its figure keeps sharp.
+/// Returns the ends of the edges around the upper side of the T, which are sharp in the figure.
 inline std::vector<std::array<std::size_t, 2>> t_shape_creases()
 {
     const shape t = t_shape();
@@ -123,7 +122,7 @@ inline std::vector<std::array<std::size_t, 2>> t_shape_creases()
     return result;
 }
 
-/// A cube of 27 cubes without its middle and without those that hide it: three tunnels, genus 5;
+/// Returns a cube of 27 cubes without the middle cube and its six neighbours: three tunnels, genus 5;
 /// V, E, F = 64, 144, 72.
 inline shape hollow_cube()
 {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// Makes all refinements go one way while it lives.
+/// A guard that forces all refinements to use one way while it is alive.
 class forced_way_here {
 public:
     explicit forced_way_here(kith::refinement_way way) { kith::force_way(way); }

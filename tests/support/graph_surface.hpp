@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-/// Any face graph of CGAL's as points and faces.
+/// Returns the points and faces of a face graph of CGAL.
 template <class Graph>
 surface surface_of(const Graph& g)
 {
@@ -36,7 +36,7 @@ surface surface_of(const Graph& g)
     return result;
 }
 
-/// A face graph with its points as kith reads it.
+/// Returns the view through which kith reads a face graph and its points.
 template <class Graph>
 auto view_of(const Graph& g)
 {
@@ -44,7 +44,7 @@ auto view_of(const Graph& g)
     return kith::cgal::face_graph<Graph, std::remove_const_t<decltype(points)>>(g, points);
 }
 
-/// A shape as a graph of any type, by CGAL's own functions.
+/// Makes a graph of any type from a shape, by CGAL's own functions.
 template <class Graph>
 Graph make_graph(const shapes::shape& s)
 {
@@ -58,7 +58,7 @@ Graph make_graph(const shapes::shape& s)
     }
 }
 
-/// The graph with the elements of another, numbered, directed and started as there.
+/// Returns a graph with the elements of `source`, with equal numbers, edge directions and first half-edges.
 template <class Graph, class Source>
 Graph same_graph(const Source& source)
 {

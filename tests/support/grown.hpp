@@ -13,13 +13,13 @@
 
 namespace shapes {
 
-/// Faces grown along a boundary at random, to and fro between a few vertices, so that all kinds of small closed and
-/// bounded surfaces come up, the same for the same seed; of `degree` corners each, of 3 to 5 if it is 0. Some are no
-/// manifold.
+/// Returns a small surface that grows by adding faces at random boundary edges, over a few vertices. Surfaces of all
+/// kinds occur, closed or with a boundary; some are no manifolds. Faces have `degree` corners, or 3 to 5 if it is 0.
+/// The seed determines the result.
 inline shape grown(std::uint32_t seed, std::size_t degree)
 {
     std::minstd_rand random(seed);
-    for (int i = 0; i < 5; ++i) // small seeds begin alike
+    for (int i = 0; i < 5; ++i) // skips the first numbers, which are alike for small seeds
         random();
     const auto below = [&random](std::size_t bound) { return std::size_t(random() >> 8) % bound; };
     const std::size_t most_vertices = 3 + below(8), most_faces = 2 + below(24);

@@ -9,7 +9,8 @@
 #include <span>
 #include <vector>
 
-/// The hashes of all vertices of the last level, sorted: how each is computed from the vertices of the control mesh.
+/// Returns the sorted hashes of all vertices of the last level. A hash stands for the operations that compute the
+/// vertex from the vertices of the control mesh.
 template <class M, class Scheme>
 std::vector<kith::hash_value> hashes(const M& control, const Scheme& scheme, int levels)
 {

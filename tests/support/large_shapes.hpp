@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-/// Shapes with one or two rings of any size, none of them symmetric.
+/// Shapes with one or two rings of any size. None of them is symmetric.
 namespace shapes {
 
 inline point on_rim(std::size_t i, std::size_t n)
@@ -15,7 +15,7 @@ inline point on_rim(std::size_t i, std::size_t n)
     return {std::cos(t) + 0.1 * std::cos(3 * t), std::sin(t), 0.1 * std::sin(5 * t)};
 }
 
-/// Two n-gons with n quads between them.
+/// Returns two n-gons with n quads between them.
 inline shape prism(std::size_t n)
 {
     shape result;
@@ -34,7 +34,7 @@ inline shape prism(std::size_t n)
     return result;
 }
 
-/// Two vertices, n and n + 1, with n triangles each.
+/// Returns two vertices, n and n + 1, with n triangles each.
 inline shape double_pyramid(std::size_t n)
 {
     shape result;
@@ -48,7 +48,7 @@ inline shape double_pyramid(std::size_t n)
     return result;
 }
 
-/// Two vertices, 2n and 2n + 1, with n quads each; all others have valence 3.
+/// Returns two vertices, 2n and 2n + 1, with n quads each; all others have valence 3.
 inline shape quads_around(std::size_t n)
 {
     shape result;
@@ -64,7 +64,7 @@ inline shape quads_around(std::size_t n)
     return result;
 }
 
-/// Vertex 0 with n triangles and quads in turns, closed by one large face; n even.
+/// Returns vertex 0 with n triangles and quads in alternation, closed by one large face. Precondition: n is even.
 inline shape triangles_and_quads_around(std::size_t n)
 {
     shape result{{{.1, 0, 1}}, {}};

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// The tiles of the last level, with their edges and schemes.
+/// Returns the tiles of the last level, with their edges and schemes.
 template <class Scheme>
 std::vector<kith::kept_tile<kith::tile<shapes::point>, Scheme>> last_tiles(const mesh3d& mesh, const Scheme& scheme,
                                                                            int levels, const kith::partition& parts)

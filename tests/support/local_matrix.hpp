@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-/// n quads around a vertex of valence n, which is vertex 0.
+/// Returns n quads around vertex 0, which has valence n.
 inline shapes::shape quad_umbrella(std::size_t n)
 {
     const double turn = 2 * std::acos(-1.) / double(n);
@@ -31,15 +31,15 @@ inline shapes::shape quad_umbrella(std::size_t n)
     return result;
 }
 
-/// k quads around vertex 0 on the boundary.
+/// Returns k quads around vertex 0, which lies on the boundary.
 inline shapes::shape half_quad_umbrella(std::size_t k)
 {
     auto result = quad_umbrella(k + 1);
     result.faces.pop_back();
-    result.points.pop_back(); // the vertex that only the last quad had
+    result.points.pop_back(); // the vertex that belonged to the last quad only
     return result;
 }
-/// k triangles around vertex 0 on the boundary.
+/// Returns k triangles around vertex 0, which lies on the boundary.
 inline shapes::shape half_umbrella(std::size_t k)
 {
     auto result = shapes::umbrella(k + 1);
@@ -47,7 +47,8 @@ inline shapes::shape half_umbrella(std::size_t k)
     return result;
 }
 
-/// The fan of a vertex from one of its corners on; at the boundary all of it, as it has a beginning there.
+/// Returns the corners around the vertex of `from`, beginning with `from`. At a boundary vertex the fan begins at the
+/// boundary instead.
 template <class Corner>
 std::vector<Corner> fan_of(const Corner& from)
 {
@@ -61,8 +62,8 @@ std::vector<Corner> fan_of(const Corner& from)
     return result;
 }
 
-/// The numbers of the vertices within some rings of faces around those of the first corners, in an order that depends
-/// on the connectivity alone: neighbourhoods that look the same are numbered the same.
+/// Returns the numbers of the vertices within `rings` rings of faces around the vertices of the given corners. Their
+/// order depends on the connectivity alone, so that equal neighbourhoods give equal orders.
 template <class Corner>
 std::vector<std::size_t> patch(std::vector<Corner> found, int rings)
 {
@@ -82,14 +83,14 @@ std::vector<std::size_t> patch(std::vector<Corner> found, int rings)
     return result;
 }
 
-/// A scheme's own stencil rows around an element, from one level to a later one where the neighbourhood looks the same:
-/// its subdivision matrix there, with the limit masks of the element as rows on both levels.
+/// The subdivision matrix around an element: stencil rows of a scheme from one level to a later level with an equal
+/// neighbourhood. The limit masks of the element on both levels are rows, too.
 struct local_matrix {
     Eigen::MatrixXd matrix;
-    double leak = 0;                          ///< the largest weight that goes to points outside
-    Eigen::MatrixXd position[2], tangents[2]; ///< coarse and fine; no rows where there are no masks
+    double leak = 0;                          ///< largest weight of a point outside the patch
+    Eigen::MatrixXd position[2], tangents[2]; ///< coarse and fine; without rows if there are no masks
 
-    /// The moduli of the eigenvalues, the largest first.
+    /// Returns the moduli of the eigenvalues, the largest first.
     [[nodiscard]] std::vector<double> spectrum() const
     {
         const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
@@ -124,7 +125,7 @@ inline Eigen::MatrixXd stacked(const std::vector<Eigen::RowVectorXd>& rows)
 
 } // namespace detail
 
-/// `element_of(level)` gives the element, `corners_of(element)` the first corners of its patch.
+/// Returns the matrix around element_of(level). Its patches begin with the corners in corners_of(element).
 template <class Mesh, class Scheme, class ElementOf, class CornersOf>
 local_matrix make_local_matrix(const kith::hierarchy<Mesh, Scheme>& levels, int from, int to, int rings,
                                const ElementOf& element_of, const CornersOf& corners_of)
@@ -168,7 +169,7 @@ local_matrix make_local_matrix(const kith::hierarchy<Mesh, Scheme>& levels, int 
     return result;
 }
 
-/// Around vertex 0, which is vertex 0 on all levels.
+/// Returns the matrix around vertex 0, which is vertex 0 on all levels.
 template <class Scheme>
 local_matrix matrix_around_vertex(const mesh3d& mesh, const Scheme& scheme, int from, int to, int rings)
 {
@@ -183,7 +184,7 @@ local_matrix matrix_around_vertex(const mesh3d& mesh, const Scheme& scheme, int 
         [](const auto& v) { return std::vector{v.first_corner()}; });
 }
 
-/// Around face 0, which is face 0 on all levels of the schemes that keep faces.
+/// Returns the matrix around face 0, which is face 0 on all levels of schemes that keep faces.
 template <class Scheme>
 local_matrix matrix_around_face(const mesh3d& mesh, const Scheme& scheme, int from, int to, int rings)
 {

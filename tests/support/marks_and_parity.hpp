@@ -17,34 +17,35 @@
 #include <string>
 #include <vector>
 
-/// The marks of 4-8 and the parity of sqrt(3), kept as fields: beside the scheme they must be at every level what the
-/// connectivity and the generation say.
+/// The marks of 4-8 and the parity of sqrt(3) as fields. On every level, these must agree with the marks in the
+/// connectivity and with the generation.
 namespace marks_and_parity {
 
-/// A triangle mesh that is open or closed, whose elements have different neighbourhoods.
+/// Returns an open or closed triangle mesh whose elements have different neighbourhoods.
 inline mesh3d some_triangles(bool open)
 {
     return native(
         shapes::triangulated(open ? shapes::shaken(shapes::grid(4, 5)) : shapes::shaken(shapes::torus(6, 6))));
 }
-/// The mesh that 4-8 refines: of quads, or with a vertex in the middle of every face.
+/// Returns a mesh that 4-8 refines: closed, from quads with diagonals, or open, with a vertex in the middle of every
+/// face.
 inline mesh3d some_tri_quad(bool open)
 {
     return kith::tri_quad(native(open ? shapes::shaken(shapes::open_house()) : shapes::shaken(shapes::torus(6, 6))));
 }
 
-/// Parity of what is born in an element.
+/// The parity of a new vertex: the opposite of the parity of the coarse level, which all its vertices have.
 struct other_parity {
     bool operator()(const auto&, const auto& values) const { return values[0] == 0; }
 };
 
-/// 4-8 with the marks of the mesh as a field.
+/// Returns 4-8 with the marks of the mesh as a field.
 template <class M>
 auto with_marks(const M& mesh)
 {
     return kith::with_fields(kith::four_eight{}, kith::marked_edges(mesh));
 }
-/// sqrt(3) with a field that says at each vertex whether the next step is an odd one.
+/// Returns sqrt(3) with a field that is true at each vertex if the next step is an odd one.
 template <class M>
 auto with_parity(const M& mesh, bool is_odd)
 {
@@ -53,7 +54,7 @@ auto with_parity(const M& mesh, bool is_odd)
                              kith::on_vertices(odd, kith::from_vertex<std::logical_not<>, other_parity>{}));
 }
 
-/// Says where the field differs from the marks of the level.
+/// Returns how the field differs from the marks of the level, or "".
 template <class M, class Scheme>
 std::string wrong_marks(const M& mesh, const Scheme& scheme)
 {
@@ -66,7 +67,7 @@ std::string wrong_marks(const M& mesh, const Scheme& scheme)
             return "edge " + std::to_string(e.index());
     return {};
 }
-/// Says where the field differs from the parity of the level.
+/// Returns how the field differs from the parity of the level, or "".
 template <class M, class Scheme>
 std::string wrong_parity(const M& mesh, const Scheme& scheme, int generation)
 {
@@ -79,7 +80,7 @@ std::string wrong_parity(const M& mesh, const Scheme& scheme, int generation)
     return {};
 }
 
-/// What a mesh and each level of it have, by `refine_with_fields` and in a hierarchy.
+/// Expects right marks and parities on every level of a hierarchy and after `refine_with_fields`.
 template <class M>
 void expect_marks_and_parity(const M& tri_quad, const M& triangles)
 {

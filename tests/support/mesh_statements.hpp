@@ -25,7 +25,7 @@
 #include <type_traits>
 #include <utility>
 
-/// A scheme that has creases in a part of its own hands them on as the part does alone.
+/// Expects that a scheme with `alone` as a member hands its creases on as `alone` does.
 template <class M>
 void expect_handed_on(const M& mesh, const kith::catmull_clark& alone)
 {
@@ -40,7 +40,7 @@ void expect_handed_on(const M& mesh, const kith::catmull_clark& alone)
     }
 }
 
-/// Fields of a mesh are those of the same mesh in the native form, by `refine_with_fields` and in a hierarchy.
+/// Expects equal fields on a mesh and on its native copy, by `refine_with_fields` and in a hierarchy.
 template <class M, class Scheme>
 void expect_same_fields(const M& mesh, const Scheme& scheme)
 {
@@ -56,7 +56,7 @@ void expect_same_fields(const M& mesh, const Scheme& scheme)
         EXPECT_EQ(v.point(), ours.template field<5>()[v.index()]);
 }
 
-/// What holds for every mesh library, instantiated for its mesh types in cgal_test.cpp and openmesh_test.cpp.
+/// The tests that every mesh library passes, instantiated for its mesh types in cgal_test.cpp and openmesh_test.cpp.
 template <class M>
 class mesh_statements : public testing::Test {
 protected:
@@ -64,7 +64,7 @@ protected:
     static constexpr bool triangles_only = user_mesh<M>::triangles_only;
     using scheme = std::conditional_t<triangles_only, kith::loop, kith::catmull_clark>;
 
-    /// Its last level is made in the native mesh and copied; that of a trusted scheme is written straight into an M.
+    /// The untrusted scheme, whose last level is made natively and copied. A trusted one writes directly into an M.
     struct checked : scheme {
         static constexpr auto traits()
         {
@@ -76,7 +76,7 @@ protected:
 
     static M make(const shapes::shape& s) { return user_mesh<M>::make(s.points, s.faces); }
     static auto all() { return triangles_only ? shapes::triangle_shapes() : shapes::all_shapes(); }
-    /// The same elements with the same numbers, in the native mesh's form.
+    /// Returns the native mesh with the same elements and numbers, and coordinates as doubles.
     static mesh3d as_native(const M& mesh)
     {
         const auto lifted = kith::to_native(mesh);
@@ -231,7 +231,7 @@ TYPED_TEST_P(mesh_statements, fans_that_only_meet_in_a_vertex_are_refused)
               "vertex 0: its 2 faces form several fans; split the vertex, one copy per fan");
 }
 
-/// The libraries do not let such a vertex be made of faces: it is made in the native arrays.
+/// Two closed fans at a vertex are refused. The libraries add no such faces: the test changes the native arrays.
 TYPED_TEST_P(mesh_statements, closed_fans_that_only_meet_in_a_vertex_are_refused)
 {
     using point = typename TestFixture::traits::point;
@@ -245,7 +245,7 @@ TYPED_TEST_P(mesh_statements, closed_fans_that_only_meet_in_a_vertex_are_refused
             t.vertex_corner[v - (v > 4)] = apart.topology().vertex_corner[v];
             points[v - (v > 4)] = apart.point(v);
         }
-    for (std::uint32_t& v : t.corner_vertex) // the second one's first vertex is the first one's
+    for (std::uint32_t& v : t.corner_vertex) // the first vertex of the second tetrahedron becomes that of the first
         v = v == 4 ? 0 : v - (v > 4);
     const auto mesh = TestFixture::traits::build({std::move(points), std::move(t)});
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(mesh, typename TestFixture::scheme(), 1); }),

@@ -9,7 +9,7 @@
 
 using mesh3d = kith::basic_mesh<std::array<double, 3>, std::uint32_t>;
 
-/// A shape as the native mesh.
+/// Returns a shape as a native mesh.
 inline mesh3d native(const shapes::shape& s)
 {
     return kith::make_mesh(s.points, s.faces);

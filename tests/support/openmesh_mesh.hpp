@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-/// The traits that most users of OpenMesh write: doubles, and marks for deleted elements.
+/// The traits that most users of OpenMesh write: coordinates of type double, and marks for deleted elements.
 struct double_traits : OpenMesh::DefaultTraits {
     using Point = OpenMesh::Vec3d;
     using Normal = OpenMesh::Vec3d;
@@ -47,7 +47,7 @@ struct user_mesh<M> {
     static std::string complaints(const M& m)
     {
         std::ostringstream out;
-        auto copy = m; // its checker takes no const mesh
+        auto copy = m; // the checker of OpenMesh takes no const mesh
         OpenMesh::Utils::MeshCheckerT<M>(copy).check(OpenMesh::Utils::MeshCheckerT<M>::CHECK_ALL, out);
         return out.str();
     }

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// A scheme made on the spot of its columns and its text, checked as every scheme of a user is.
+/// A scheme made from its columns and its text, text(coarse, assoc). It is checked like every scheme of a user.
 template <class Columns, class Text>
 struct own_scheme {
     Columns declared;
@@ -27,7 +27,7 @@ struct own_scheme {
     }
 };
 
-/// The points that one step of such a scheme makes: text(coarse, assoc). It declares faces and makes none.
+/// Returns the points that one step makes by text(coarse, assoc). The scheme declares faces, but makes none.
 template <class Vertices, class Text>
 std::vector<shapes::point> make_vertices(const mesh3d& mesh, const Vertices& vertices, const Text& text)
 {

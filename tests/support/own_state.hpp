@@ -18,10 +18,10 @@
 #include <utility>
 #include <vector>
 
-/// Schemes of a user's own with state of a level, such as refine, tiles and ranks must hand on.
+/// User-defined schemes with per-level state, which refine, tiles and ranks must hand on.
 namespace own_state {
 
-/// Catmull-Clark as a part of another scheme, under a name that nobody knows.
+/// A scheme with Catmull-Clark as a member, under a name that the library does not know.
 struct wrapped {
     kith::catmull_clark inner;
 
@@ -39,7 +39,7 @@ struct wrapped {
     }
 };
 
-/// A number at each face and each vertex of a level, inherited and halved, and how many levels there have been.
+/// A number at each face and each vertex of a level, which children inherit halved, and the count of levels so far.
 class numbers {
 public:
     std::vector<double> at_vertex, at_face;
@@ -98,8 +98,8 @@ public:
     }
 };
 
-/// A scheme with two states of its own: Catmull-Clark whose face points are drawn to the vertex of the largest number,
-/// and whose vertices stay where their number is large.
+/// A variant of Catmull-Clark with two states. The larger the number of a face, the nearer its point lies to the first
+/// vertex; the larger the number of a vertex, the less it moves.
 struct drawn {
     numbers kept;
     kith::creases sharp;
@@ -156,7 +156,7 @@ inline drawn some_drawn(const mesh3d& mesh)
     return result;
 }
 
-/// The numbers at vertices where each corner becomes one.
+/// Numbers at vertices, for a scheme that makes a vertex of each corner.
 struct numbers_at_corners : numbers {
     numbers_at_corners() = default;
     numbers_at_corners(numbers of_level) : numbers(std::move(of_level)) {}
@@ -172,8 +172,8 @@ struct numbers_at_corners : numbers {
     }
 };
 
-/// Corners become vertices, as in Doo-Sabin's scheme; of boundary vertices of three or more faces those get one that
-/// have a number.
+/// A dual scheme: corners become vertices, as in Doo-Sabin's scheme. A boundary vertex becomes a face if it has three
+/// or more faces and a number that is not 0.
 struct capped_dual {
     numbers_at_corners kept;
 
@@ -208,7 +208,7 @@ struct capped_dual {
     }
 };
 
-/// How many steps there have been.
+/// The number of steps so far.
 struct step_count {
     int steps = 0;
 
@@ -221,7 +221,7 @@ struct step_count {
     friend bool operator==(const step_count&, const step_count&) = default;
 };
 
-/// Cuts edges in two in even steps and in three in odd ones; its state counts them.
+/// A scheme that cuts edges into two parts in even steps and into three in odd ones. Its state counts the steps.
 struct two_and_three {
     step_count count;
 
@@ -265,7 +265,7 @@ struct two_and_three {
     }
 };
 
-/// A rule of vertices that is given at run time. It may capture something, and so not be assignable.
+/// A scheme whose vertex rule is given at run time. The rule may have captures, and so may not be assignable.
 template <class Rule>
 struct ruled {
     Rule rule;

@@ -11,10 +11,10 @@
 #include <limits>
 #include <utility>
 
-/// Costs by which there are patches wherever there can be, with a template for every class of faces.
+/// Costs that enforce patches wherever possible, with a template for every class of faces.
 inline constexpr kith::strategy_costs all_templates = kith::strategy_costs::of_templates_for_all();
 
-/// Returns the same with templates for classes that have some members, or for none.
+/// Returns these costs with another cost of a template, so that only large classes have templates, or none.
 constexpr kith::strategy_costs with_cost_of_template(double cost)
 {
     auto costs = all_templates;
@@ -23,7 +23,7 @@ constexpr kith::strategy_costs with_cost_of_template(double cost)
 }
 inline constexpr kith::strategy_costs some_templates = with_cost_of_template(300);
 
-/// What patches make, where they are a gain.
+/// Returns the last level, made in patches. Expects that the costs favour patches.
 template <class Point, class Index, class Scheme>
 kith::basic_mesh<Point, Index> made_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
                                                kith::connect last, const kith::strategy_costs& costs)
@@ -32,7 +32,7 @@ kith::basic_mesh<Point, Index> made_by_patches(kith::basic_mesh<Point, Index> me
     EXPECT_TRUE(kith::refinement_run(std::move(mesh), scheme, levels, costs).make_in_patches(made));
     return made.take();
 }
-/// The same written into a mesh of another library.
+/// Returns the last level, made in patches by one thread and written into a stand-in for another library's mesh.
 template <class Point, class Index, class Scheme>
 kith::basic_mesh<Point, Index> written_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
                                                   const kith::strategy_costs& costs)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The names of properties that were left out.
+/// Returns the names of properties that were left out.
 inline std::vector<std::string> names_of(const std::vector<kith::omission>& left_out)
 {
     std::vector<std::string> result;

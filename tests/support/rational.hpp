@@ -5,7 +5,8 @@
 #include <numeric>
 #include <ostream>
 
-/// An exact number, for results that must be exact. Small numerators and denominators only.
+/// A rational number, for results that must be exact. Numerators and denominators must be small: nothing checks for
+/// overflow.
 class rational {
 public:
     constexpr rational(std::int64_t n = 0, std::int64_t d = 1) : n_(n), d_(d) { reduce(); }

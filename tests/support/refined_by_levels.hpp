@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-/// Returns the last level, made by single steps in the given order.
+/// Returns the last level, made by single steps in the order of the given mesh.
 template <class Point, std::unsigned_integral Index, class Scheme>
 kith::basic_mesh<Point, Index> refined_by_levels(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
                                                  kith::connect last_level = kith::connect::everything)

@@ -15,7 +15,7 @@ using vertex_handle = kith::mesh_traits<mesh3d>::vertex;
 using edge_handle = kith::mesh_traits<mesh3d>::edge;
 using face_handle = kith::mesh_traits<mesh3d>::face;
 
-/// The weights of the point that a scheme makes under a tuple in its first step, the largest first.
+/// Returns the weights of the point that the first step makes under a tuple, the largest first and without zeros.
 template <class Scheme, class... Handle>
 std::vector<double> weights_of(const shapes::shape& shape, const Scheme& scheme, const Handle&... handle)
 {

@@ -11,7 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-/// The faces of any mesh as lists of vertex numbers, in its order and from the corner at which it starts each.
+/// Returns the faces of any mesh as lists of vertex numbers, in the order of the mesh. Each list begins with the first
+/// corner of the face.
 template <class M>
 std::vector<std::vector<std::size_t>> faces_of(const M& mesh)
 {
@@ -25,7 +26,8 @@ std::vector<std::vector<std::size_t>> faces_of(const M& mesh)
     return result;
 }
 
-/// Faces without the order among them and without their starts: equal lists mean the same oriented faces.
+/// Returns the faces in a normal form that does not depend on their order or first corners. Equal lists mean equal
+/// oriented faces.
 inline std::vector<std::vector<std::size_t>> as_cycles(std::vector<std::vector<std::size_t>> faces)
 {
     for (auto& face : faces)
@@ -34,14 +36,14 @@ inline std::vector<std::vector<std::size_t>> as_cycles(std::vector<std::vector<s
     return faces;
 }
 
-/// The edge between two vertices, given by their numbers. Precondition: there is one.
+/// Returns the edge between two vertices, given by their numbers. Precondition: there is such an edge.
 template <class Level>
 typename Level::edge_handle edge_between(const Level& level, std::size_t a, std::size_t b)
 {
     return level.edge_at(index_tuple(level.vertices()[a], level.vertices()[b]).value);
 }
 
-/// A number as it would be stored: two zeros of different sign differ.
+/// Returns the bit pattern of a number, so that zeros of different sign differ. Returns other scalar types unchanged.
 template <class Scalar>
 auto bits_of(const Scalar& x)
 {
@@ -73,7 +75,7 @@ bool same_arrays(const kith::connectivity<Index>& a, const kith::connectivity<In
            std::ranges::equal(a.corner_face, b.corner_face);
 }
 
-/// The same points, bit for bit, and the same elements with the same numbers, directions and starts.
+/// Returns true if points agree bit for bit, and elements agree in numbers, directions and first corners.
 template <class Point, class Index>
 bool same_bits(const kith::basic_mesh<Point, Index>& a, const kith::basic_mesh<Point, Index>& b)
 {
@@ -85,7 +87,7 @@ bool same_bits(const M& a, const M& b)
     return same_bits(kith::to_native(a), kith::to_native(b));
 }
 
-/// The coordinates of a point of any library, as doubles.
+/// Returns the coordinates of a point of any library, as doubles.
 template <class Point>
 std::array<double, 3> coordinates(const Point& point)
 {
@@ -93,7 +95,7 @@ std::array<double, 3> coordinates(const Point& point)
         if constexpr (std::convertible_to<decltype(x), double>)
             return double(x);
         else
-            return to_double(x); // of the number's own library
+            return to_double(x); // function of the library that defines the number
     };
     const auto& x = kith::affine<Point>::load(point);
     return {as_double(x[0]), as_double(x[1]), as_double(x[2])};

@@ -11,14 +11,15 @@
 #include <string>
 #include <vector>
 
-/// Points and faces, in any order.
+/// A surface as points and faces, in any order.
 struct surface {
     std::vector<std::array<double, 3>> points;
     std::vector<std::vector<std::size_t>> faces;
 };
 
-/// What keeps two surfaces from being the same but for numbers; "" if each vertex of one lies within the tolerance of
-/// another vertex of the other and their faces are the same then. No two vertices of one may be that close.
+/// Returns a difference between two surfaces, whatever the numbers of their elements. Returns "" if each vertex lies
+/// within the tolerance of one vertex of the other surface, and the faces agree under this pairing. Precondition: no
+/// two vertices of one surface are that close.
 inline std::string difference(const surface& a, const surface& b, double tolerance = 1e-12)
 {
     if (a.points.size() != b.points.size() or a.faces.size() != b.faces.size())

@@ -6,7 +6,8 @@
 
 #include <string>
 
-/// The error of a scheme that copies the vertices and faces of a mesh, with a text that goes wrong in their place.
+/// Returns the error of a scheme that declares a vertex per vertex and a quad per face. The given text runs instead of
+/// a text that copies them.
 template <class Edges, class Text>
 std::string fault(const shapes::shape& shape, const Edges& edges, const Text& text)
 {

@@ -18,15 +18,15 @@
 #include <utility>
 #include <vector>
 
-/// Faces that are chosen on a mesh of another library make the levels that they make on the native one, whether by
-/// flags, by handles or by a condition, and the library has no complaints.
+/// Expects that a selection of faces gives equal levels on a mesh of another library and on its native copy. Faces are
+/// selected by flags, by handles and by a condition. The checker of the library must find no errors.
 template <class M, class Scheme>
 void expect_levels_of_native(const Scheme& scheme, const shapes::shape& shape)
 {
     using face = typename kith::mesh_traits<M>::face;
     const M mesh = user_mesh<M>::make(shape.points, shape.faces);
     kith::hierarchy levels(mesh, kith::selected(scheme));
-    kith::hierarchy natives(kith::to_native(mesh), kith::selected(scheme)); // the same order of edges
+    kith::hierarchy natives(kith::to_native(mesh), kith::selected(scheme)); // numbers edges in the same order
     std::mt19937 random(5);
     for (int level = 1; level <= 4; ++level) {
         const auto& here = levels.elements(level - 1);
@@ -58,7 +58,8 @@ void expect_levels_of_native(const Scheme& scheme, const shapes::shape& shape)
     EXPECT_EQ(faces_of(levels.finest()), faces_of(natives.finest()));
 }
 
-/// A face that the control mesh has no more cannot be chosen, and nothing is lost.
+/// Expects an error that names a selected face if the control mesh has removed it. The hierarchy can be refined
+/// afterwards.
 template <class M, class Scheme>
 void expect_removed_face_is_named(const Scheme& scheme, M control, typename kith::mesh_traits<M>::face removed)
 {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-/// The control meshes of the tests: those of the figures and others.
+/// The control meshes of the tests: those of the figures, and others.
 namespace shapes {
 
 using namespace figures;
@@ -18,7 +18,7 @@ inline shape tetrahedron()
     return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
 }
 
-/// rows * columns quads with a boundary, over the unit lattice and not flat.
+/// Returns rows * columns quads with a boundary, over the unit lattice. The surface is not flat.
 inline shape grid(std::size_t rows = 3, std::size_t columns = 4)
 {
     shape result;
@@ -33,7 +33,7 @@ inline shape grid(std::size_t rows = 3, std::size_t columns = 4)
     return result;
 }
 
-/// Three quads in an L: a boundary vertex with three faces, boundary corners with one.
+/// Returns three quads in an L. One boundary vertex has three faces, the boundary corners have one each.
 inline shape l_shape()
 {
     shape result = grid(2, 2);
@@ -42,16 +42,16 @@ inline shape l_shape()
     return result;
 }
 
-/// A ring of quads: two boundaries.
+/// Returns a ring of quads with two boundaries.
 inline shape ring(std::size_t n = 5)
 {
     shape result = torus(4, n);
-    result.faces.resize(2 * n); // of its four rows two
+    result.faces.resize(2 * n); // two of its four rows
     result.points.resize(3 * n);
     return result;
 }
 
-/// n triangles around an inner vertex.
+/// Returns n triangles around an inner vertex, vertex 0.
 inline shape umbrella(std::size_t n)
 {
     const double turn = 2 * std::acos(-1.);
@@ -63,13 +63,13 @@ inline shape umbrella(std::size_t n)
     return result;
 }
 
-/// Triangles, quads and a pentagon; V, E, F = 11, 20, 11.
+/// Returns triangles, quads and a pentagon; V, E, F = 11, 20, 11.
 inline shape house()
 {
     return pentacube();
 }
 
-/// The house without its floor and one wall: mixed polygons with a boundary.
+/// Returns the house without its floor and one wall: triangles and quads with a boundary.
 inline shape open_house()
 {
     shape result = house();
@@ -87,13 +87,14 @@ inline shape polygon(std::size_t n)
     return result;
 }
 
-/// Two quads around an inner vertex of valence two: vertex 3. Libraries that count faces by edges stumble over it.
+/// Returns two quads around vertex 3, an inner vertex of valence two. Libraries that count faces by edges fail
+/// on it.
 inline shape valence_two()
 {
     return {{{0, 0, 1}, {0, 0, 0}, {1, 0, 0}, {0.25, 0, 0.3}, {1, 0, 1}}, {{0, 1, 2, 3}, {3, 2, 4, 0}}};
 }
 
-/// Two shapes beside each other, not connected.
+/// Returns two shapes beside each other, which are not connected.
 inline shape both(const shape& a, const shape& b)
 {
     shape result = a;
@@ -107,7 +108,8 @@ inline shape both(const shape& a, const shape& b)
     return result;
 }
 
-/// Every point pushed a little, differently: without symmetries that would hide a wrong order of operands.
+/// Moves every point a little, each differently. The result has no symmetries that could hide a wrong order of
+/// operands.
 inline shape shaken(shape s)
 {
     std::uint64_t state = 42;

@@ -25,8 +25,8 @@ inline mesh3d of_generation(const mesh3d& mesh, int generation)
     return {kith::storage<shapes::point>(mesh.points()), mesh.topology(), generation};
 }
 
-/// The same surface with vertices and faces in another order; faces then start at another corner, their smallest
-/// vertex.
+/// Returns the surface with vertices and faces in random order. Faces then begin at another corner, their smallest
+/// vertex. Marks of edges are kept if the scheme has marks.
 template <class Scheme>
 mesh3d shuffled(const mesh3d& mesh, std::uint32_t seed)
 {

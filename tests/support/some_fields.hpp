@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-/// Fields of all kinds for tests, and what they are compared by.
+/// Fields of all kinds for tests, and functions that compare them.
 namespace some_fields {
 
-/// A type of a user's own.
+/// A user-defined type of values.
 struct label {
     std::int32_t group = -1;
     bool is_marked = false;
@@ -30,7 +30,7 @@ struct label {
 struct less_one {
     double operator()(double sharpness) const { return std::max(sharpness - 1, 0.); }
 };
-/// A face that is born by an edge or a vertex takes the smallest group around.
+/// A rule: a face that is born by an edge or a vertex takes the smallest group of the faces around.
 struct smallest_around {
     template <class Element>
     label operator()(const Element& x, std::span<const label> values) const
@@ -49,7 +49,8 @@ struct smallest_around {
     }
 };
 
-/// Material; a label; sharpness; a mark of vertices; a weight; the points; texture coordinates with seams.
+/// Returns the scheme with seven fields: material, label, sharpness, marks of vertices, weight, points and texture
+/// coordinates with seams.
 template <class Scheme, class M>
 auto with_some_fields(const Scheme& scheme, const M& mesh)
 {
@@ -88,15 +89,15 @@ auto with_some_fields(const Scheme& scheme, const M& mesh)
 }
 inline constexpr std::size_t count = 7;
 
-/// The same scheme with the same rules, and no values.
+/// Returns the scheme with the same rules, but without values.
 template <class Scheme>
 auto without_values(const Scheme& scheme)
 {
     return kith::detail::scheme_of_part(scheme, kith::part_numbers<std::uint32_t>());
 }
 
-/// Says where the fields of two schemes of one type differ first; `number<field_on>(i)` is the number in `theirs` of
-/// what has the number i in `ours`.
+/// Returns the first place at which the fields of two schemes of one type differ, or "". `number<field_on>(i)` maps the
+/// number i of an element in `ours` to its number in `theirs`.
 template <class Scheme, class Number>
 std::string difference(const Scheme& ours, const Scheme& theirs, const Number& number)
 {
@@ -128,7 +129,7 @@ std::string difference(const Scheme& ours, const Scheme& theirs)
     return difference(ours, theirs, []<kith::field_on>(std::size_t i) { return i; });
 }
 
-/// The fields of a tile against those of the whole mesh.
+/// Returns the first difference between the fields of a tile and those of the whole mesh, or "".
 template <class Tile, class Scheme>
 std::string difference_in_tile(const Tile& part, const Scheme& ours, const Scheme& whole)
 {

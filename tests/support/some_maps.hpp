@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// A mesh of CGAL with property maps, and what lies under names in any mesh.
+/// A mesh of CGAL with property maps, and functions that read properties of any mesh by name.
 namespace some_maps {
 
 using kernel = CGAL::Simple_cartesian<double>;
@@ -31,7 +31,7 @@ inline cgal_mesh cgal(const shapes::shape& s)
     return user_mesh<cgal_mesh>::make(s.points, s.faces);
 }
 
-/// With maps on all kinds of elements, boundary half-edges included.
+/// Adds property maps on all kinds of elements, boundary half-edges included.
 inline cgal_mesh with_maps(cgal_mesh m)
 {
     auto color = m.add_property_map<vertex, CGAL::IO::Color>("v:color").first;
@@ -62,7 +62,7 @@ auto property(const M& mesh, const char* name)
     return found;
 }
 
-/// The values under a name in the order of the elements.
+/// Returns the values of a property in the order of the elements.
 template <class Handle, class T, class M>
 std::vector<T> values(const M& mesh, const char* name)
 {

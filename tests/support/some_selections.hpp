@@ -5,7 +5,8 @@
 #include <random>
 #include <vector>
 
-/// A flag for each face: chosen with a chance of sixteenths, always the same ones for the same generator.
+/// Returns a flag for each face, set with a probability of `sixteenths` / 16. The state of the generator determines the
+/// flags.
 inline std::vector<unsigned char> some_faces(std::size_t count, std::mt19937& random, unsigned sixteenths)
 {
     std::vector<unsigned char> result(count);
@@ -14,7 +15,7 @@ inline std::vector<unsigned char> some_faces(std::size_t count, std::mt19937& ra
     return result;
 }
 
-/// Adds levels in which faces are chosen at random.
+/// Adds `count` levels, each refined in faces chosen at random.
 template <class Levels>
 void refine_some(Levels& levels, int count, unsigned seed, unsigned sixteenths)
 {

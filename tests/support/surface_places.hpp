@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// Places on surfaces of tests.
+// Places on the surfaces that tests evaluate.
 
 using parameters = std::array<double, 2>;
 using point = std::array<double, 3>;
@@ -20,7 +20,8 @@ inline double distance(const std::array<double, 3>& a, const std::array<double, 
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Returns the place at t, 0 to 1, on the side of a face after a corner.
+/// Returns the place at t, 0 to 1, on the side of a face that begins at a corner. Faces with `sides` corners have one
+/// parameter domain, all others one in each sub-face.
 inline kith::surface_place place_on_side(const mesh3d& mesh, std::size_t corner, double t, std::size_t sides)
 {
     const auto& topology = mesh.topology();
@@ -37,7 +38,8 @@ inline kith::surface_place place_on_side(const mesh3d& mesh, std::size_t corner,
                       : kith::surface_place{f, triangle[0], triangle[1], 0};
 }
 
-/// Returns the place in the sub-face at a corner of a face, also of a quad.
+/// Returns the place at `at` in the sub-face at a corner of a face. For a quad it converts to the parameters of the
+/// whole quad.
 inline kith::surface_place place_in_sub_face(const mesh3d& mesh, std::size_t f, std::size_t corner,
                                              const parameters& at)
 {

@@ -9,8 +9,8 @@
 #include <omp.h>
 #endif
 
-/// So many threads while it lives, also in loops over levels of a few thousand faces; without OpenMP there is always
-/// one.
+/// A guard that sets the number of threads while it is alive, also for loops over a few thousand faces. Without OpenMP
+/// there is always one thread.
 class thread_count {
 public:
     explicit thread_count([[maybe_unused]] int count)

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-/// Partitions for tests: whatever they are, results must not depend on them.
+/// Partitions for tests. Results must not depend on the partition.
 namespace partitions {
 
-/// Runs of faces of the same length, as far as it goes.
+/// Returns parts of consecutive faces, of equal sizes up to one face.
 inline std::vector<std::uint32_t> blocks(std::size_t faces, std::size_t parts)
 {
     std::vector<std::uint32_t> part_of(faces);
@@ -26,7 +26,7 @@ inline std::vector<std::uint32_t> blocks(std::size_t faces, std::size_t parts)
     return part_of;
 }
 
-/// Every face by lot; some parts stay empty.
+/// Returns a random part for every face; some parts may stay empty.
 inline std::vector<std::uint32_t> scattered(std::size_t faces, std::size_t parts, std::uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -36,7 +36,7 @@ inline std::vector<std::uint32_t> scattered(std::size_t faces, std::size_t parts
     return part_of;
 }
 
-/// Connected parts, grown around faces chosen by lot, one layer after the other.
+/// Returns parts that are grown around random faces, layer by layer. Each part is connected if the mesh is.
 template <class Mesh>
 std::vector<std::uint32_t> grown(const Mesh& mesh, std::size_t parts, std::uint32_t seed)
 {
@@ -65,8 +65,8 @@ std::vector<std::uint32_t> grown(const Mesh& mesh, std::size_t parts, std::uint3
 
 } // namespace partitions
 
-/// Looks at every element of a refined tile, ghosts too, in the whole mesh that was refined as one.
-/// Returns what differs first, or nothing; counts the elements the tile owns.
+/// Compares every element of a refined tile, including ghosts, with the mesh that was refined as a whole. Returns the
+/// first difference, or "". Counts the elements that the tile owns.
 template <class Tile, class Mesh>
 std::string difference(const Tile& tile, const Mesh& whole, std::vector<int>& vertex_owners,
                        std::vector<int>& edge_owners, std::vector<int>& face_owners)
@@ -114,7 +114,7 @@ std::string difference(const Tile& tile, const Mesh& whole, std::vector<int>& ve
     return {};
 }
 
-/// Of a scheme that marks edges, else none.
+/// Returns the number of marked edges, or 0 if the scheme marks no edges.
 template <class Scheme, class Mesh>
 std::size_t marked_edges(const Mesh& mesh)
 {
@@ -127,7 +127,7 @@ std::size_t marked_edges(const Mesh& mesh)
     return result;
 }
 
-/// Refines every part of a mesh as a tile and compares with the refined mesh.
+/// Refines every part of a mesh as a tile and compares the tiles with the refined mesh. Returns a difference, or "".
 template <class Mesh, class Scheme>
 std::string tiles_differ(const Mesh& control, const Scheme& scheme, int levels, std::span<const std::uint32_t> part_of,
                          std::size_t parts, int last_rings = 0, kith::connect last = kith::connect::everything)
@@ -162,8 +162,8 @@ std::string tiles_differ(const Mesh& control, const Scheme& scheme, int levels, 
     return {};
 }
 
-/// Returns the number of rings of ghosts that a step needs around a part of one face, so that `last` of them are right
-/// afterwards: the most that any part needs, of one part for every `stride`-th face.
+/// Returns the number of ghost rings that a step needs around a part of one face, so that `last` rings are right
+/// afterwards. It is the maximum over the parts of every `stride`-th face.
 template <class Mesh, class Scheme>
 int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::size_t stride)
 {
@@ -177,7 +177,7 @@ int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::si
         const auto refined = [&](int rings) {
             auto job = cutter.cut(p, rings);
             job.part = kith::refine(std::move(job.part), std::move(job.scheme), whole);
-            job.part.roots = {}; // these differ
+            job.part.roots = {}; // the roots depend on the number of rings
             job.part.root_of = {};
             return kith::pack(job);
         };

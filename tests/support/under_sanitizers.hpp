@@ -3,6 +3,6 @@
 
 #include <kith/core/base/sanitized.hpp>
 
-/// Whether the program is compiled for the sanitizers, which make it many times slower: who tests on many meshes takes
-/// the small ones there, which lead through the same lines.
+/// A constant that is true if the program is compiled with sanitizers, which make it many times slower. Tests on many
+/// meshes then use the small ones, which execute the same lines.
 inline constexpr bool under_sanitizers = kith::detail::is_sanitized;

@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <vector>
 
-/// A mesh type as its users make it, without help from kith:
+/// A mesh type as its users make it, without help from kith. Specializations have these members.
 ///
-///   make(points, faces) -> M     through the library's own functions
-///   tolerance                    of a coordinate, relative to the size of the control mesh, after a few steps
-///   triangles_only               it holds no other faces
-///   complaints(mesh) -> string   of the library's own checker; empty if there are none
+///   make(points, faces) -> M     makes a mesh by the library's own functions.
+///   tolerance                    error of a coordinate after a few steps, relative to the size of the control mesh.
+///   triangles_only               true if all faces are triangles.
+///   complaints(mesh) -> string   errors that the library's own checker finds; "" if there are none.
 template <class M>
 struct user_mesh;
 

@@ -13,12 +13,12 @@
 
 #include <unistd.h>
 
-/// Files of VTK's format for tests.
+/// Functions that read and change VTU files.
 namespace vtu_files {
 
 namespace fs = std::filesystem;
 
-/// The arrays of a file as any reader of VTK's format finds them: by the offsets in the head.
+/// A reader of the arrays of a VTU file. It finds them by the offsets in the head, like any reader of the format.
 class vtu_reader {
 public:
     explicit vtu_reader(const fs::path& path)
@@ -33,7 +33,7 @@ public:
         begin_ += mark.size();
     }
     [[nodiscard]] std::string head() const { return head_; }
-    /// The array with this attribute.
+    /// Returns the array whose XML element has this attribute.
     template <class T>
     [[nodiscard]] std::vector<T> array(const std::string& attribute) const
     {
@@ -51,7 +51,7 @@ private:
     std::size_t begin_ = 0;
 };
 
-/// A directory that is gone after the test.
+/// A temporary directory, which the destructor removes.
 struct directory {
     fs::path path = fs::temp_directory_path() / ("kith_files_" + std::to_string(getpid()));
 
@@ -65,7 +65,8 @@ inline std::string bytes_of(const fs::path& path)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Changes the bytes of a file, one after the other, and back again.
+/// Changes each byte of a range of a file and restores it. Calls changed(place, true) after a change and
+/// changed(place, false) after the byte is restored.
 template <class Changed>
 void for_each_changed_byte(const fs::path& path, std::size_t begin, std::size_t end, const Changed& changed)
 {

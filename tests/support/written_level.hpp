@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// A mesh of another library, as simple as can be: what is written into it, as native arrays.
+/// A stand-in for a mesh of another library. It records what is written and returns it as a native mesh.
 template <class Point, class Index>
 class written_level final : public kith::level_writer<Point, Index> {
 public:

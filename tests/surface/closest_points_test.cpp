@@ -28,7 +28,7 @@ double distance(const point& a, const point& b)
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Expects that no point of a fine tessellation is nearer, and that the results lie where they say.
+/// Expects that no point of a fine tessellation is nearer, and that the results lie at their places.
 template <class Scheme>
 void expect_nearest(const mesh3d& mesh, const Scheme& scheme)
 {
@@ -66,7 +66,7 @@ TEST(closest_points, are_nearer_than_all_samples)
     expect_nearest(native(shapes::triangulated(shapes::grid(2, 2))), kith::loop{});
 }
 
-/// A point that lies off the surface along a normal has its foot there, to many digits.
+/// Shows that a point off the surface along a normal finds the start of the normal, to many digits.
 TEST(closest_points, find_the_foot_of_a_normal)
 {
     const auto mesh = native(shapes::shaken(shapes::triangulated(shapes::torus(5, 6))));
@@ -89,14 +89,14 @@ TEST(closest_points, find_the_foot_of_a_normal)
     }
 }
 
-/// Two bumps in one face: a point between them is nearer to one of them by little. The other one is a local minimum.
+/// Shows that the nearer of two bumps in one face is found, although the other bump is a local minimum.
 TEST(closest_points, tell_apart_minima_in_one_face)
 {
     shapes::shape shape = shapes::grid(3, 3);
     for (auto& p : shape.points)
         p = {p[0], p[1], 0};
     auto mesh = native(shape);
-    const std::size_t face = mesh.face_count() / 2; // in the middle
+    const std::size_t face = mesh.face_count() / 2; // a face in the middle
     const auto corners = mesh.face(face);
     std::vector<point> control(mesh.points().begin(), mesh.points().end());
     control[corners[0]][2] = control[corners[2]][2] = 2.5; // a bump at two opposite corners
@@ -127,7 +127,7 @@ TEST(closest_points, tell_apart_minima_in_one_face)
     EXPECT_GE(near_second, 4U);
 }
 
-/// The distance is known at a corner and at the side of a flat surface, and at vertices.
+/// Shows the known distances to a corner and a side of a flat face, to its inside, and to a vertex.
 TEST(closest_points, are_exact_on_flat_faces)
 {
     const std::vector<point> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

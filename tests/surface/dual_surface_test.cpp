@@ -34,7 +34,7 @@ std::vector<bool> boundary_vertices(const mesh3d& mesh)
     return result;
 }
 
-/// Calls test(scheme) for Doo-Sabin with all boundary rules.
+/// Calls test(scheme) for Doo-Sabin with each boundary rule.
 template <class Test>
 void for_each_boundary_rule(const Test& test)
 {
@@ -43,7 +43,7 @@ void for_each_boundary_rule(const Test& test)
         test(kith::doo_sabin{.boundary = boundary});
 }
 
-/// The quarters of faces at inner vertices reach up to the boundary. They have the limits of three levels.
+/// Shows that quarters of faces at inner vertices reach up to the boundary, with the limits of three levels.
 TEST(dual_surface, reaches_boundaries_of_dual_splits)
 {
     for (const auto& shape : {shapes::l_shape(), shapes::grid(3, 3), shapes::ring(5), shapes::open_house()}) {
@@ -151,7 +151,7 @@ TEST(dual_surface, is_a_clamped_spline_with_derivatives_up_to_the_boundary)
     expect(made.dvv, 0, 2);
 }
 
-/// The boundary of the thesis is the quadratic B-spline of the boundary vertices, between the quarters of the faces.
+/// Shows that the thesis's boundary is the quadratic B-spline of the boundary vertices, between quarters of faces.
 TEST(dual_surface, ends_at_the_boundary_curve_of_dual_splits)
 {
     const auto mesh = native(shapes::shaken(shapes::grid(4, 5)));
@@ -168,7 +168,7 @@ TEST(dual_surface, ends_at_the_boundary_curve_of_dual_splits)
                 expected[k] += (x == 0 ? (i == 0) : x == 4 ? (i == 5) : weights[i + 1]) * mesh.point(i)[k];
         EXPECT_LT(distance(made.points[0], expected), 4e-15) << x;
         EXPECT_LT(distance(made.points[1], expected), 1e-5) << x;
-        if (x > 0 and x < 4) { // not on the other sides
+        if (x > 0 and x < 4) { // the other sides end here
             EXPECT_TRUE(std::isnan(made.dv[0][2]) and std::isfinite(made.dv[1][2])) << x;
         }
     }
@@ -188,8 +188,8 @@ TEST(dual_surface, ends_at_the_boundary_curve_of_dual_splits)
     EXPECT_EQ(text(kith::doo_sabin{}, {3, .75, .5}), "no error");
 }
 
-/// Vertices and faces that are irregular have normals. Those of Doo-Sabin are those of its masks, and those of mid-edge
-/// come from its steps. Normals nearby converge to them, slowly beside triangles of mid-edge.
+/// Shows that irregular vertices and faces have normals: of Doo-Sabin by its masks, of mid-edge by its steps. Normals
+/// nearby converge to them, slowly beside triangles of mid-edge.
 TEST(dual_surface, has_normals_at_irregular_places_of_dual_splits)
 {
     const auto mesh = native(shapes::shaken(shapes::pentacube()));

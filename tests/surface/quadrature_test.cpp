@@ -59,7 +59,7 @@ double area_of(const mesh3d& control, int points_per_direction, const Scheme& sc
     return result;
 }
 
-/// Returns a flat shape, its inner vertices moved within the plane.
+/// Returns a flat shape whose inner vertices are moved within the plane.
 shapes::shape flattened(shapes::shape s, double width, double height)
 {
     for (auto& [x, y, z] : s.points) {
@@ -164,7 +164,7 @@ TEST(quadrature, measures_flat_surfaces)
     const auto quads = native(flattened(shapes::grid(5, 6), 6, 5));
     EXPECT_NEAR(area_of<kith::catmull_clark>(quads, 3), 30, 1e-12);
     EXPECT_GT(std::abs(area_of<kith::catmull_clark>(quads, 1) - 30), 1e-4);
-    // Loop's scheme keeps corners of one face. The spline rounds the two others, which cuts off 1/12 of a face.
+    // Loop's scheme keeps corners with one face. At the two other corners the spline cuts off 1/12 of a face.
     const auto triangles = native(shapes::triangulated(flattened(shapes::grid(5, 6), 6, 5)));
     std::array<double, 3> errors;
     for (int level = 0; level < 3; ++level)

@@ -50,7 +50,7 @@ point random_point(std::minstd_rand& random, double size)
     return result;
 }
 
-/// Returns where a ray hits triangles first.
+/// Returns the parameter of the first hit of a ray on the triangles of a mesh.
 template <class Mesh>
 std::optional<double> first_hit_of_triangles(const Mesh& mesh, const surface_ray& ray)
 {
@@ -69,7 +69,7 @@ std::optional<double> first_hit_of_triangles(const Mesh& mesh, const surface_ray
     return result;
 }
 
-/// Expects random rays to hit where a fine tessellation is hit, and hits to lie on the ray and on the surface.
+/// Expects random rays to hit where a fine tessellation is hit. Hits must lie on the ray and on the surface.
 template <class Scheme>
 void expect_hits_of_tessellation(const mesh3d& mesh, const Scheme& scheme)
 {
@@ -95,7 +95,7 @@ void expect_hits_of_tessellation(const mesh3d& mesh, const Scheme& scheme)
     }
     const auto hit = std::size_t(std::ranges::count_if(hits, [](const auto& h) { return h.has_value(); }));
     EXPECT_GE(hit, 15U);
-    EXPECT_GE(agreeing + 2, rays.size()); // all but at the silhouette
+    EXPECT_GE(agreeing + 2, rays.size()); // all but rays at the silhouette
     EXPECT_GE(common + 4, hit);
 }
 
@@ -113,7 +113,8 @@ TEST(ray_hits, are_those_of_a_fine_tessellation)
     expect_hits_of_tessellation(native(shapes::shaken(shapes::house())), kith::linear{});
 }
 
-/// Rays to points of the surface hit: inside of faces, on edges between them, at vertices, and on boundaries.
+/// Expects that rays to points of the surface hit it: inside faces, on edges between faces, at vertices, and on
+/// boundaries.
 template <class Scheme>
 void expect_hits_everywhere(const mesh3d& mesh, const Scheme& scheme)
 {
@@ -122,7 +123,7 @@ void expect_hits_everywhere(const mesh3d& mesh, const Scheme& scheme)
     const bool is_triangles = mesh.face(0).size() == 3;
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         for (const auto& [u, v] : {std::array{.3, .4}, {0., 0.}, {1., 0.}, {0., .3}, {.6, 0.}, {1e-9, 2e-9}, {.5, .5}})
-            // Beside a bend a ray may hit the other face first.
+            // Near a bend a ray may hit the other face first.
             if (mesh.face(f).size() == (is_triangles ? 3 : 4) and not(std::same_as<Scheme, kith::linear> and u == 1e-9))
                 places.push_back({f, u, v});
     const auto values = surface.locate(places).evaluate(mesh.points(), kith::derivatives::first);
@@ -136,7 +137,7 @@ void expect_hits_everywhere(const mesh3d& mesh, const Scheme& scheme)
             point direction = random_point(random, 1);
             if (k == 2 and std::isfinite(normals[i][0]))
                 direction = normals[i];
-            rays.push_back({combined(target, -1e-3, direction), direction}); // from near by
+            rays.push_back({combined(target, -1e-3, direction), direction}); // from a near point
             place_of_ray.push_back(i);
         }
     const auto hits = kith::ray_hits(mesh, scheme).of(rays);
@@ -161,7 +162,7 @@ TEST(ray_hits, miss_no_edge_and_no_vertex)
     expect_hits_everywhere(native(shapes::shaken(shapes::cube())), kith::linear{});
 }
 
-/// A tube, whose cross-section is a uniform cubic B-spline of 8 control points on the unit circle.
+/// Makes a tube whose cross-section is a uniform cubic B-spline with 8 control points on the unit circle.
 mesh3d tube()
 {
     std::vector<point> points;
@@ -205,7 +206,7 @@ TEST(ray_hits, see_where_rays_graze)
         EXPECT_EQ(hits[i].has_value(), i < 12) << i;
         if (hits[i]) {
             EXPECT_NEAR(hits[i]->point[0], rays[i].origin[0], 1e-12) << i;
-            EXPECT_LT(hits[i]->distance, 2) << i; // the first of two
+            EXPECT_LT(hits[i]->distance, 2) << i; // the first of two hits
         }
     }
 }

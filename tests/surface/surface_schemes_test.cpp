@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces of schemes whose steps are not like those of Catmull-Clark and Loop, or which take closed meshes only.
+// Tests surfaces of schemes whose steps differ from those of Catmull-Clark and Loop, or which need closed meshes.
 #include <kith/surface.hpp>
 
 #include "support/all_shapes.hpp"
@@ -36,7 +36,7 @@ double distance(const point& a, const point& b)
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Returns a place for each corner of a level of 4-8, by bisection of the first edges.
+/// Returns a place for each corner of a level of 4-8, by bisecting the first edges.
 std::vector<surface_place> places_of_bisection(const mesh3d& control, int level)
 {
     struct half {
@@ -62,7 +62,7 @@ std::vector<surface_place> places_of_bisection(const mesh3d& control, int level)
     return result;
 }
 
-/// Expects the corners of a level to have the limits that are found by refining, and these normals inside.
+/// Expects the corners of a level to have the limits found by refining and, inside, the normals of these limits.
 void expect_limits_of_bisection(const mesh3d& control, int level)
 {
     kith::hierarchy<mesh3d, kith::four_eight> levels(control, kith::four_eight{});
@@ -98,7 +98,7 @@ TEST(surface_schemes, bisect_triangles)
     test("open house", shapes::open_house());
 }
 
-/// Numbers of faces change nothing. Faces keep their first corners, which mark edges.
+/// Shows that the numbers of faces change nothing. Faces keep their first corners, which mark edges.
 TEST(surface_schemes, bisect_triangles_in_any_numbers)
 {
     const auto mesh = tri_quad(native(shapes::shaken(shapes::triangulated(shapes::torus(4, 5)))));
@@ -132,7 +132,7 @@ surface_place place_of_corner(const mesh3d& mesh, std::size_t f, std::size_t k)
     return mesh.face(f).size() == 4 ? surface_place{f, of_quad[k][0], of_quad[k][1], 0} : surface_place{f, 0, 0, k};
 }
 
-/// Expects places that belong to the vertices of a level to have their limits.
+/// Expects the given places of the vertices of a level to have the limits of these vertices.
 template <class Scheme>
 void expect_limits(const mesh3d& control, const Scheme& scheme, int level, const std::vector<surface_place>& places)
 {
@@ -210,7 +210,7 @@ TEST(surface_schemes, are_tensor_splines_among_regular_faces)
         std::vector<surface_place> places;
         std::vector<point> expected;
         for (std::size_t f = 0; f < mesh.face_count(); f += 5) {
-            std::array<std::array<int, 2>, 4> corner{}; // row and column of each
+            std::array<std::array<int, 2>, 4> corner{}; // row and column of each corner
             for (std::size_t k = 0; k < 4; ++k)
                 corner[k] = {int(mesh.face(f)[k]) / columns, int(mesh.face(f)[k]) % columns};
             const auto step = [&](std::size_t k, std::size_t axis) { // from corner 0, around the torus
@@ -238,7 +238,7 @@ TEST(surface_schemes, are_tensor_splines_among_regular_faces)
     }
 }
 
-/// Differences of the seventh order along a line in half of a triangle vanish, those of the sixth order do not.
+/// Shows that differences of the seventh order along a line in half of a triangle vanish, and that sixth ones do not.
 TEST(surface_schemes, have_a_box_spline_of_degree_six)
 {
     const auto mesh = tri_quad(native(shapes::shaken(shapes::torus(7, 8))));
@@ -301,7 +301,8 @@ TEST(surface_schemes, have_the_slopes_of_their_points)
     test(native(shapes::shaken(shapes::triangulated(shapes::cube()))), kith::interpolatory_sqrt3{}, false);
 }
 
-/// No mask tells the tangents of unified at irregular places. They come from steps, and those nearby converge to them.
+/// Shows that unified has tangents at irregular places. They come from steps, since no mask gives them, and tangents
+/// nearby converge to them.
 TEST(surface_schemes, have_tangents_at_irregular_places)
 {
     for (const auto& shape : {shapes::tetrahedron(), shapes::house()})
@@ -325,7 +326,7 @@ TEST(surface_schemes, have_tangents_at_irregular_places)
         }
 }
 
-/// Linear values at corners stay linear in faces, also where parts are closed.
+/// Shows that values at corners are interpolated linearly in faces with the rule `all`, on closed meshes, too.
 TEST(surface_schemes, have_values_at_corners)
 {
     const auto test = [](const mesh3d& mesh, const auto& scheme) {
@@ -354,7 +355,7 @@ TEST(surface_schemes, have_values_at_corners)
     test(native(shapes::shaken(shapes::torus(6, 6))), kith::unified{});
 }
 
-/// No sample of the surface is nearer than the nearest point, and none lies before a hit.
+/// Shows that no sample of the surface is nearer than the nearest point, and that none lies before a ray's hit.
 TEST(surface_schemes, are_searched)
 {
     const auto test = [](const mesh3d& mesh, const auto& scheme) {

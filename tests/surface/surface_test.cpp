@@ -42,11 +42,11 @@ parameters middle(const parameters& a, const parameters& b)
     return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
 }
 
-/// Schemes that split faces into four, or polygons into quads.
+/// A scheme that splits faces into four, or polygons into quads.
 template <class Scheme>
 concept splits_in_four = kith::parametric_scheme<Scheme> and kith::detail::domain_of<Scheme>::splits_in_four;
 
-/// Returns the faces of the next level, whose numbers follow from those of the corners.
+/// Returns the faces of the next level. Their numbers follow from those of the corners.
 template <class Scheme>
 std::vector<part_of_face> next_parts(const std::vector<part_of_face>& parts)
 {
@@ -93,7 +93,7 @@ std::vector<surface_place> places_of_level(const mesh3d& control, int level)
     return result;
 }
 
-/// Expects the places of the vertices of a level to have the limits that are found by refining, with their normals.
+/// Expects the places of the vertices of a level to have the limits and normals that are found by refining.
 template <class Scheme>
 void expect_limits_of_level(const mesh3d& control, const Scheme& scheme, int level)
 {
@@ -143,7 +143,7 @@ TEST(surface, goes_through_the_limits_of_all_levels)
     }
 }
 
-/// Expects the vertices of the first level to have their limits, whose places are those at which they were made.
+/// Expects the given places, at which the vertices of the first level are made, to have the limits of these vertices.
 template <class Scheme>
 void expect_limits_of_first_level(const mesh3d& control, const Scheme& scheme, const std::vector<surface_place>& places)
 {
@@ -179,7 +179,7 @@ TEST(surface, has_a_ternary_split)
     }
 }
 
-/// Vertices of the first level are limits inside of faces, as those of the control mesh are.
+/// Shows that vertices of the first level have their limits inside faces, as vertices of the control mesh do.
 TEST(surface, has_dual_splits)
 {
     constexpr std::array<parameters, 4> quarters{{{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}}};
@@ -242,8 +242,9 @@ TEST(surface, keeps_creases_and_corners)
         }
 }
 
-/// At vertices of creases each face has the tangents of its side, to which those nearby converge. Corners have none if
-/// their surface has no plane: of Catmull-Clark between creases with two faces or more.
+/// Shows that at vertices of creases each face has the tangents of its side, to which tangents nearby converge. A
+/// corner has no tangents if the surface has no tangent plane there: between creases of Catmull-Clark with two faces or
+/// more.
 TEST(surface, has_tangents_on_each_side_of_creases)
 {
     const auto test = [](const mesh3d& mesh, auto scheme, std::size_t every, double nearby, std::size_t without) {
@@ -314,7 +315,7 @@ TEST(surface, has_the_slopes_of_its_points)
     test(native(shapes::shaken(shapes::grid(3, 3))), kith::linear{});
 }
 
-/// Schemes that are no splines have slopes of about seven digits.
+/// Shows that schemes that are no splines have first derivatives of about seven digits.
 TEST(surface, has_slopes_without_polynomials)
 {
     const auto test = [](const mesh3d& mesh, const auto& scheme) {
@@ -339,7 +340,7 @@ TEST(surface, has_slopes_without_polynomials)
     test(native(shapes::shaken(shapes::torus(5, 6))), kith::kobbelt{});
 }
 
-/// Points of the surface lie at their parameters if control points do, up to corners of the boundary.
+/// Shows that points of the surface lie at their parameters if the control points do, up to corners of the boundary.
 TEST(surface, keeps_planes_and_their_parameters)
 {
     const auto test = [](shapes::shape shape, const auto& scheme, double from_boundary) {
@@ -377,7 +378,7 @@ TEST(surface, keeps_planes_and_their_parameters)
     test(shapes::triangulated(shapes::grid(11, 11)), kith::sqrt3{}, 3.5); // irregular along the boundary
 }
 
-/// Splines have quadratic polynomials, up to a constant, where the control points are values of one.
+/// Shows that splines reproduce quadratic polynomials, up to a constant, from their values at control points.
 TEST(surface, reproduces_quadratic_surfaces)
 {
     const auto height = [](double x, double y) { return (.5 * x * x - .25 * x * y + .125 * y * y) / 9; };
@@ -426,7 +427,7 @@ TEST(surface, says_what_is_known_at_irregular_vertices)
         "fewer derivatives or move the place");
 }
 
-/// Near irregular vertices, and as near as doubles tell, points go to the limit.
+/// Shows that points converge to the limit of an irregular vertex, down to the smallest parameters of doubles.
 TEST(surface, is_continuous_at_irregular_vertices)
 {
     const auto mesh = native(shapes::shaken(shapes::triangulated(shapes::cube())));
@@ -503,7 +504,7 @@ TEST(surface, has_the_same_bits_in_any_order_on_any_threads_and_for_moved_points
     EXPECT_NE(moved.points[0], made.points[0]);
 }
 
-/// Numbers of faces and edges change nothing, and a part of the mesh is enough, such as a tile.
+/// Shows that the numbers of faces and edges change nothing, and that a part of the mesh such as a tile is enough.
 TEST(surface, has_the_same_bits_in_any_numbers_and_in_parts)
 {
     auto shape = shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(8, 9)), 7));
@@ -545,7 +546,7 @@ TEST(surface, locates_the_same_on_threads)
     EXPECT_TRUE(std::ranges::equal(one.dv, three.dv));
 }
 
-/// A torus whose values at corners have two seams is the grid that one gets by cutting it there.
+/// Shows that a torus whose corner values have two seams is the grid that results from cutting it along the seams.
 TEST(surface, has_values_with_seams)
 {
     constexpr std::size_t n = 6;
@@ -588,7 +589,7 @@ TEST(surface, has_values_with_seams)
             const auto normals = normals_of(made), expected_normals = normals_of(expected);
             for (std::size_t i = 0; i < places.size(); ++i) {
                 ASSERT_LT(distance(made.points[i], expected.points[i]), 1e-13) << i;
-                if (i % 6 % 2 != 0) { // and not at a vertex
+                if (i % 6 % 2 != 0) { // places that are not at a vertex
                     ASSERT_LT(distance(normals[i], expected_normals[i]), 1e-12) << i;
                 }
             }
@@ -607,7 +608,7 @@ TEST(surface, has_values_with_seams)
               "a field on corners has 7 values, the mesh has 24 corners; give it one for each");
 }
 
-/// A scheme of a user's own with state is refined by its own text, too.
+/// Shows that a user's scheme with state is refined by its own code.
 TEST(surface, takes_a_scheme_that_carries_state)
 {
     const auto mesh = native(shapes::shaken(shapes::torus(5, 6)));
@@ -622,7 +623,7 @@ TEST(surface, takes_a_scheme_that_carries_state)
         EXPECT_LT(distance(made.points[i], expected.points[i]), 1e-13);
 }
 
-/// State that does not say where it is may differ from face to face, although these look alike.
+/// Shows that state without the place of its elements may differ between faces that look alike.
 TEST(surface, tells_apart_faces_by_state_without_places)
 {
     const auto mesh = native(shapes::shaken(shapes::torus(5, 6)));

@@ -29,7 +29,7 @@ std::array<long, 2> topology_of(const mesh3d& mesh)
     return {long(c.vertices) - long(c.edges) + long(c.faces), long(c.boundary_edges)};
 }
 
-/// A control mesh with its surface, by which its tessellations are checked.
+/// A control mesh with its surface, against which its tessellations are checked.
 template <class Scheme>
 class checked_surface {
 public:
@@ -41,7 +41,7 @@ public:
     {
     }
 
-    /// Expects a conforming surface like that of the control mesh, whose vertices lie at their places.
+    /// Expects a conforming surface with the topology of the control mesh, whose vertices lie at their places.
     kith::tessellation<point> expect_conforming(const tessellation_options& options)
     {
         auto made = tessellate(control_, scheme_, options);
@@ -53,7 +53,7 @@ public:
                 EXPECT_NEAR(made.mesh.point(v)[k], there.points[v][k], 1e-12);
         EXPECT_TRUE(validate(made.mesh).ok());
         EXPECT_EQ(made.faces.size(), made.mesh.face_count());
-        for (std::size_t v = 0; v < control_.vertex_count(); ++v) // these come first
+        for (std::size_t v = 0; v < control_.vertex_count(); ++v) // the control vertices come first
             for (std::size_t k = 0; k < 3; ++k)
                 EXPECT_NEAR(made.mesh.point(v)[k], limits_[v][k], 1e-12);
         for (const auto& [x, y, z] : made.normals)
@@ -109,7 +109,7 @@ TEST(tessellate, cuts_edges_into_segments)
     EXPECT_EQ(expect_conforming(triangles, kith::loop{}, {}).mesh.face_count(), triangles.face_count());
 }
 
-/// Returns the largest distance of the surface to the planes of the triangles, at some places in each.
+/// Returns the largest distance of the surface to the planes of the triangles, at some places in each triangle.
 template <class Scheme>
 double largest_distance(const mesh3d& control, const Scheme& scheme, const kith::tessellation<point>& made)
 {
@@ -126,7 +126,7 @@ double largest_distance(const mesh3d& control, const Scheme& scheme, const kith:
         if (not normal or made.places[v[0]].face != made.faces[f] or made.places[v[1]].face != made.faces[f] or
             made.places[v[2]].face != made.faces[f] or made.places[v[0]].corner != made.places[v[1]].corner or
             made.places[v[0]].corner != made.places[v[2]].corner)
-            continue; // its parameters are those of another face
+            continue; // its parameters belong to another face
         std::vector<kith::surface_place> places;
         for (const auto& w : {point{.4, .3, .3}, point{.6, .2, .2}, point{.15, .7, .15}, point{.1, .45, .45}}) {
             kith::surface_place place{made.faces[f], 0, 0, made.places[v[0]].corner};

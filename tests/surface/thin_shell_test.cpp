@@ -22,7 +22,7 @@ using thin_shells::vector;
 
 constexpr thin_shells::material steel{2.1, .3, .2};
 
-/// A shell, or those of its faces that a function of the face picks.
+/// A shell, or the part of a shell whose faces a predicate picks.
 template <class Scheme>
 struct shell {
     explicit shell(const shapes::shape& s, const std::function<bool(std::size_t)>& is_picked = {})
@@ -82,7 +82,8 @@ void expect_no_forces_of_rigid_motions(const shapes::shape& s)
     }
 }
 
-/// A shell that grows by a part of its size keeps its normals, so that its fundamental forms grow by that part.
+/// Expects the energy of a shell that grows in proportion to its size. Its normals stay, so its fundamental forms grow
+/// by the same proportion.
 template <class Scheme>
 void expect_energy_of_growth(const shapes::shape& s)
 {
@@ -101,7 +102,7 @@ void expect_energy_of_growth(const shapes::shape& s)
     EXPECT_NEAR(here.energy([](const point& p) { return p; }), expected, 1e-12 * expected);
 }
 
-/// Expects the energies of constant strains and curvatures in a plane of `area`; its other faces are ghosts.
+/// Expects the energies of constant strains and curvatures in a plane of `area`. Faces outside of it are ghosts.
 template <class Scheme>
 void expect_constant_strains(const shell<Scheme>& here, double area)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lets every allocation of tiles fail, once and for ever after: std::bad_alloc comes out, and the next call is right.
+// Lets every allocation of tiles fail, once and from then on. std::bad_alloc must come out, and the next call must
+// succeed.
 #include "support/failing_allocations.hpp"
 
 #include "support/native_shape.hpp"
@@ -31,7 +32,7 @@ using bytes = std::vector<std::byte>;
 
 const mesh3d house = native(shapes::shaken(shapes::open_house()));
 
-/// Catmull-Clark with creases that stay and decay, and a number on each face.
+/// Returns Catmull-Clark with creases that stay and decay, and with a number on each face.
 scheme scheme_with_state()
 {
     kith::catmull_clark creased;
@@ -53,7 +54,7 @@ auto refined(tiles& of, std::size_t part)
     return of.refine_job(part, kith::connect::everything, seconds);
 }
 
-/// Expects std::bad_alloc or the right bytes, and after either the right bytes from the same object.
+/// Expects std::bad_alloc or the right bytes, and after either case the right bytes from the same object.
 template <class Object, class Make>
 void expect_right_bytes_or_none(Object& object, const Make& make, long step = 1)
 {

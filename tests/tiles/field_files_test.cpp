@@ -30,7 +30,7 @@ namespace {
 using namespace vtu_files;
 using vector3 = std::array<float, 3>;
 
-/// Heat and flow at vertices, a material on faces, a mark of vertices.
+/// Returns the scheme with heat and flow at vertices, a material on faces, and marks of vertices.
 template <class Scheme>
 auto with_values(const Scheme& scheme, const mesh3d& mesh)
 {
@@ -193,7 +193,8 @@ TEST(field_files, every_byte_that_is_another_one_is_found)
                  1);
 }
 
-/// Tiles that write shares of what follows from the numbers of cells write the same bytes, and look after them.
+/// Shows that the file has the same bytes if each tile writes a share of the arrays that follow from the number of
+/// cells. Tiles verify their shares, too.
 TEST(field_files, shares_of_cells_that_are_alike_give_the_same_bytes)
 {
     const auto torus = native(shapes::shaken(shapes::torus(3, 4)));

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Steps of even generation split faces into quads, odd ones keep them and move the vertices.
+/// A scheme whose even steps split faces into quads, and whose odd steps keep the faces and move the vertices.
 struct by_turns {
     static constexpr auto traits()
     {
@@ -52,7 +52,7 @@ struct by_turns {
     }
 };
 
-/// The linear split, and vertices under tuples that it does not declare: they go into the dictionary.
+/// A linear split that also makes vertices for tuples that it does not declare; these tuples go into the dictionary.
 struct with_dictionary {
     static constexpr auto traits()
     {

@@ -68,7 +68,7 @@ TEST(global_lineage, knows_those_over_five_levels)
 TEST(global_lineage, leads_over_two_surfaces_that_are_refined_one_after_the_other)
 {
     const auto house = native(shapes::shaken(shapes::open_house())); // faces of several degrees
-    const auto middle = kith::refine(house, kith::mid_edge{}, 1);    // of odd generation, and of all degrees
+    const auto middle = kith::refine(house, kith::mid_edge{}, 1);    // of odd generation, and with many degrees
     kith::hierarchy levels(middle, kith::mid_edge{});
     levels.refine(3);
     EXPECT_EQ(family::difference(levels, lineage_of(middle, kith::mid_edge{}, 3), 3), "");

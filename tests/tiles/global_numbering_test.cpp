@@ -8,15 +8,15 @@
 
 namespace {
 
-/// Calls test(numbers of the whole mesh as the mesh has them, as tiles tell them) for one step of each scheme, from
-/// control meshes and from what they have become after one step and two.
+/// Calls test(numbering of the whole mesh, global numbering from the tiles) for one step of each scheme. Steps start
+/// from control meshes and from their first and second levels.
 template <class Test>
 void for_each_numbering(const Test& test)
 {
     for_each_of_all_schemes_and_shape([&]<class Scheme>(const Scheme& scheme, const mesh3d& control) {
         if constexpr (kith::reaching_scheme<Scheme>)
             for (const int level : {0, 1, 2}) {
-                if (kith::marks_edges<Scheme> and level == 0) // marked edges may be any of them
+                if (kith::marks_edges<Scheme> and level == 0) // any edges may be marked
                     continue;
                 const auto mesh = kith::refine(control, scheme, level);
                 const auto columns = columns_of(scheme, mesh.generation());

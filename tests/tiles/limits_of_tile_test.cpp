@@ -20,7 +20,7 @@
 
 namespace {
 
-/// Calls test(part, scheme) for the tiles of a mesh in three parts after one step, with so many rings of ghosts.
+/// Calls test(part, scheme) for each of the three tiles of a mesh after one step, with `rings` rings of ghosts.
 template <class Scheme, class Test>
 void for_each_tile(const mesh3d& mesh, const Scheme& scheme, const std::vector<std::uint32_t>& part_of, int rings,
                    const Test& test)
@@ -38,7 +38,7 @@ struct found_limits {
     std::size_t owned = 0, ghosts = 0, unknown = 0;
 };
 
-/// Whether each limit that a tile has is that of the whole level; counts them.
+/// Expects that each limit of a tile equals that of the whole level, and counts the limits.
 template <class Whole, class Part, class Tile>
 void expect_those_of(const Whole& whole, const Part& limits, const Tile& part, found_limits& found)
 {
@@ -52,7 +52,7 @@ void expect_those_of(const Whole& whole, const Part& limits, const Tile& part, f
     }
 }
 
-/// Whether the limits of all own faces are there.
+/// Expects that a tile has all limits of the whole level at the faces that it owns.
 template <class Whole, class Part, class Tile>
 void expect_own(const Whole& whole, const Part& limits, const Tile& part)
 {
@@ -141,7 +141,7 @@ TEST(limits_of_tile, need_as_many_rings_as_rings_for_limits_says)
     });
     EXPECT_GT(known, whole[1].vertex_count());
     EXPECT_GT(sides, 100U);
-    std::size_t refused = 0; // a tile may have more rings than it was asked for
+    std::size_t refused = 0; // a tile may have more rings than requested
     for (int fewer = 0; fewer < rings; ++fewer)
         for_each_tile(torus, scheme, blocks, fewer, [&](const auto& part, const auto& scheme_there) {
             if (rings_of_ghosts(part) >= rings or part.mesh.face_count() == whole[1].face_count())

@@ -37,7 +37,7 @@ std::string refusal(const job_type& job)
     return error_text<kith::pack_error>([&] { sent(job); });
 }
 
-/// What is said of a job after `break_it` has changed the topology of its mesh.
+/// Returns the error message for a job after `break_it` has changed the topology of its mesh.
 template <class Break>
 std::string refusal_of_broken(job_type job, const Break& break_it)
 {
@@ -53,7 +53,7 @@ std::string refusal_because(const std::string& fault)
     return "a message holds a tile that " + fault + "; its sender is at fault";
 }
 
-/// A tile of triangles and quads.
+/// Makes a job whose tile has triangles and quads.
 job_type a_mixed_job()
 {
     const auto mesh = native(shapes::open_house());
@@ -156,7 +156,7 @@ TEST(pack, refuses_corners_and_half_edges_that_do_not_refer_to_each_other)
         EXPECT_EQ(refusal_of_broken(good,
                                     [](auto& t) {
                                         for (std::size_t e = 0; e < t.edges(); ++e)
-                                            if (t.is_boundary(e)) // a corner has another edge
+                                            if (t.is_boundary(e)) // its corner has another edge
                                                 t.halfedge_corner[2 * e + 1] = 0;
                                     }),
                   fault);

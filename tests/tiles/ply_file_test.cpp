@@ -87,7 +87,7 @@ void write(const kith::ply_file& layout, const fs::path& path, const Tiles& tile
     file.close();
 }
 
-/// Reads numbers one after the other.
+/// A reader of numbers, one after the other.
 class reader {
 public:
     explicit reader(std::string bytes) : bytes_(std::move(bytes)) { at_ = bytes_.find("end_header\n") + 11; }
@@ -259,7 +259,7 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
 
 namespace {
 
-/// A cone over a polygon of n corners, which is its base: closed, or without the base.
+/// Makes a cone over a polygon of n corners. The polygon is its base if `closed`; else the base is missing.
 mesh3d cone(int n, bool closed)
 {
     std::vector<shapes::point> points{{0, 0, 2}};
@@ -273,7 +273,7 @@ mesh3d cone(int n, bool closed)
     return kith::make_mesh(points, faces);
 }
 
-/// Looks at the largest degree of the mesh, at that of its tiles, and at the types that files count in.
+/// Expects that largest_degree finds the largest degree of the refined mesh, from the mesh and from its tiles.
 template <class Scheme>
 void expect_largest_degree(const mesh3d& control, const Scheme& scheme, int levels)
 {
@@ -305,7 +305,7 @@ TEST(ply_file, knows_the_largest_degree_before_there_are_faces)
     }
 }
 
-/// Writes into memory and remembers the writes.
+/// A sink that writes into memory and records the writes.
 struct bytes_in_memory final : kith::placed_bytes {
     void write(std::uint64_t offset, const void* data, std::size_t size) override
     {

@@ -21,8 +21,8 @@
 
 namespace {
 
-/// Mid-edge subdivision for closed meshes, checked: at the rim of a tile faces of vertices are left out, so that others
-/// meet in a point.
+/// A mid-edge scheme for closed meshes that is checked. At the rim of a tile it omits faces of vertices, so that other
+/// faces meet in a single point.
 struct checked_mid_edge {
     static constexpr auto traits()
     {
@@ -147,7 +147,7 @@ TEST(tiles_at_once, is_one_per_thread_unless_there_are_too_few)
 
 namespace {
 
-/// Kobbelt's scheme with another word about its reach.
+/// Kobbelt's scheme with a different declared reach.
 struct other_reach {
     int beyond_half = 0;
 

@@ -45,7 +45,7 @@ bool has_double_edges(const mesh3d& mesh)
     return halfedges.size() != t.corners();
 }
 
-/// Every fifth edge and two vertices of many kinds of sharpness.
+/// Returns creases on every fifth edge and on two vertices, with sharpness of many kinds.
 kith::creases sharpened(const mesh3d& mesh, kith::crease_method method)
 {
     kith::creases sharp(method);
@@ -56,8 +56,7 @@ kith::creases sharpened(const mesh3d& mesh, kith::crease_method method)
     return sharp;
 }
 
-/// Compares what patches make of the tiles of a mesh, from each level on, with what single steps make. Returns how
-/// often there were patches.
+/// Compares patches with single steps in the tiles of a mesh, from each level on. Returns how often there were patches.
 template <class Scheme>
 std::size_t compare_last_in_patches(const mesh3d& mesh, const Scheme& scheme, int levels,
                                     std::span<const std::uint32_t> part_of, std::size_t parts)
@@ -119,7 +118,8 @@ TEST(refine_tile, makes_the_last_steps_in_patches_beside_creases_and_irregular_v
 
 namespace {
 
-/// A dual split whose faces of vertices come first: by these the owner of an edge of its ends would follow.
+/// A dual split that makes the faces of vertices first. The owner of an edge at its ends would then follow from these
+/// faces.
 struct vertices_first {
     static constexpr auto columns()
     {
@@ -211,7 +211,7 @@ TEST(refine_tile, reaches_no_farther_than_it_must)
         run(kith::loop{}, mesh);
         run(kith::linear_triangles{}, mesh);
         run(kith::butterfly{}, mesh);
-        if (is_open) // only there odd steps trisect an edge
+        if (is_open) // only at a boundary odd steps trisect edges
             run(kith::sqrt3{}, of_generation(mesh, 1));
     }
     for (const auto& shape : polygons) {
@@ -224,7 +224,7 @@ TEST(refine_tile, reaches_no_farther_than_it_must)
         run(kith::nasri_hasbini{}, mesh);
         run(kith::mid_edge{}, mesh);
         run(kith::four_eight{}, kith::tri_quad(mesh));
-        const bool is_irregular = mesh.topology().degree == 0; // Kobbelt's masks reach farther there
+        const bool is_irregular = mesh.topology().degree == 0; // Kobbelt's masks reach farther on irregular meshes
         run(kith::kobbelt{},
             is_irregular ? of_generation(kith::refine(mesh, kith::linear{}, 1), 0) : mesh,
             is_irregular);
@@ -256,7 +256,7 @@ TEST(refine_tile, keeps_a_scheme_of_its_own)
     const auto scheme = [&] { return kith::catmull_clark{.sharpness = sharpened(mesh, kith::crease_method::chaikin)}; };
     const auto whole = kith::refine(mesh, scheme(), 2);
     const kith::partition parts{partitions::blocks(mesh.face_count(), 3), 3};
-    kith::tiled_refinement refinement(mesh, scheme(), 2, parts); // the scheme is gone before tiles are cut
+    kith::tiled_refinement refinement(mesh, scheme(), 2, parts); // the scheme no longer exists when tiles are cut
     kith::mesh_checksum sum;
     for (std::size_t t = 0; t < refinement.tiles(); ++t)
         sum += kith::checksum(refinement.refine(t));
@@ -266,7 +266,7 @@ TEST(refine_tile, keeps_a_scheme_of_its_own)
 TEST(refine_tile, takes_any_order_of_vertices_faces_and_corners)
 {
     for_each_reaching_scheme_and_shape([]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
-        if (kith::marks_edges<Scheme> and has_double_edges(mesh)) // faces alone do not tell one from the other
+        if (kith::marks_edges<Scheme> and has_double_edges(mesh)) // faces do not tell double edges apart
             return;
         for (const std::uint32_t seed : {1, 2}) {
             const auto other = shuffled<Scheme>(mesh, seed);
@@ -297,7 +297,7 @@ TEST(refine_tile, takes_valences_from_3_to_17_polygons_and_creases)
     const auto run = [](const auto& scheme, const mesh3d& mesh) {
         SCOPED_TRACE(name_of(scheme));
         EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::grown(mesh, 5, 1), 5), "");
-        if (not under_sanitizers) { // small meshes are scattered there
+        if (not under_sanitizers) { // under sanitizers only small meshes are scattered
             EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::scattered(mesh.face_count(), 3, 1), 3), "");
         }
     };

@@ -18,7 +18,7 @@
 
 namespace {
 
-/// A scheme without members or traits, from which the others are made.
+/// A scheme without members or traits, from which other test schemes are made.
 struct own_columns {
     static constexpr auto columns() { return kith::quad_split::columns(); }
 };
@@ -66,7 +66,7 @@ struct options_with_values {
 };
 enum class rule : unsigned char { smooth, sharp };
 
-/// Names the first of its fields.
+/// A scheme that names the first of its fields as its state.
 template <class Other>
 struct with_field {
     own_state::numbers kept;
@@ -86,7 +86,7 @@ struct with_table {
     KITH_OWN_SCHEME
 };
 
-/// Its members cannot be listed.
+/// A scheme whose members cannot be listed.
 class closed_class {
 public:
     closed_class() : sharp_(kith::crease_method::chaikin) {}
@@ -163,7 +163,7 @@ TEST(scheme_members, state_covers_what_it_names)
 {
     EXPECT_TRUE(is_taken_beside_state<double>);
     EXPECT_FALSE(is_taken_beside_state<std::vector<double>>);
-    EXPECT_FALSE(is_taken_beside_state<own_state::numbers>); // of two alike only one is named
+    EXPECT_FALSE(is_taken_beside_state<own_state::numbers>); // only one of two equal fields is named
     EXPECT_TRUE(kith::detail::names_all_state<closed_class>());
     EXPECT_TRUE(kith::detail::names_all_state<own_state::wrapped>());
     EXPECT_TRUE(kith::detail::names_all_state<own_state::drawn>());

@@ -19,7 +19,7 @@
 
 namespace {
 
-/// Calls test(part, scheme) for three tiles after one step, with so many rings of ghosts.
+/// Calls test(part, scheme) for three tiles after one step, with `rings` rings of ghosts.
 template <class Scheme, class Test>
 void for_each_tile(const mesh3d& mesh, const Scheme& scheme, int rings, const Test& test)
 {
@@ -31,7 +31,7 @@ void for_each_tile(const mesh3d& mesh, const Scheme& scheme, int rings, const Te
     }
 }
 
-/// Expects the bits of the whole level in all faces that tiles own.
+/// Expects the bits of the whole level on all faces that tiles own.
 template <class Scheme>
 void expect_bits_of_whole(const mesh3d& mesh, Scheme scheme, kith::crease_method method, int rings)
 {

@@ -36,8 +36,8 @@ using vtu_files::directory;
 using vtu_files::for_each_changed_byte;
 using vtu_files::vtu_reader;
 
-/// Compares what a file holds, by the numbers in the whole mesh, with the mesh refined as one; marks the faces that are
-/// there.
+/// Compares the elements in a file, by their numbers in the whole mesh, with the mesh refined as a whole. Counts the
+/// faces that are found.
 template <class Mesh>
 void expect_part_of(const vtu_reader& file, const std::vector<std::int64_t>& point_ids,
                     const std::vector<std::int64_t>& cell_ids, const Mesh& whole, std::vector<int>& found)
@@ -67,7 +67,7 @@ void expect_pieces_of(const shapes::shape& shape, const Scheme& scheme, int leve
 {
     const auto control = native(shape);
     const auto whole = kith::refine(control, scheme, levels);
-    const kith::partition parts{partitions::scattered(control.face_count(), 3, 7), 4}; // the last one is empty
+    const kith::partition parts{partitions::scattered(control.face_count(), 3, 7), 4}; // the last part is empty
     kith::tiled_refinement tiles(control, scheme, levels, parts);
     const directory here;
     const kith::vtu_pieces pieces(here.path.string(), "beside", 4, levels, true);
@@ -152,7 +152,8 @@ TEST(vtu_file, holds_what_any_reader_finds)
 
 namespace {
 
-/// Changes every byte: the tile that has it says so, and so does the sum of the file.
+/// Changes every byte. Expects that the tile to which the byte belongs reports it, and that the sum of the file
+/// changes.
 template <class Layout>
 void expect_differences(const Layout& layout, kith::tiled_refinement<point, std::uint32_t, kith::doo_sabin>& tiles,
                         std::size_t begin, std::size_t end)
@@ -169,7 +170,7 @@ void expect_differences(const Layout& layout, kith::tiled_refinement<point, std:
         kith::summed_bytes summed(&file);
         layout.write_tile(summed, parts.back(), {t, t});
         EXPECT_EQ(layout.difference(file, parts.back(), t), std::nullopt);
-        EXPECT_NE(kith::sum_of_bytes(file, 0, layout.size()), written); // bytes of this tile
+        EXPECT_NE(kith::sum_of_bytes(file, 0, layout.size()), written); // bytes of this tile are missing
         written += summed.sum();
     }
     for (const std::uint64_t cut : {std::uint64_t(0), std::uint64_t(1), std::uint64_t(302), layout.size() - 3}) {
@@ -213,10 +214,10 @@ TEST(vtu_pieces, finds_bytes_that_are_others_and_pieces_that_end_early)
     EXPECT_EQ(pieces.difference(index, part, 1), std::nullopt);
     const kith::byte_sum sum = pieces.sum_of_own_file(1);
     EXPECT_NE(sum, kith::byte_sum());
-    EXPECT_EQ(pieces.sum_of_own_file(0), kith::byte_sum()); // which is not there
+    EXPECT_EQ(pieces.sum_of_own_file(0), kith::byte_sum()); // this file does not exist
     const auto path = here.path / "1.vtu";
     fs::copy_file(path, here.path / "0.vtu");
-    EXPECT_NE(pieces.sum_of_own_file(0), sum); // in the place of another piece
+    EXPECT_NE(pieces.sum_of_own_file(0), sum); // the file of another piece
     const std::size_t size = fs::file_size(path);
     for_each_changed_byte(path, size - 300, size, [&](std::size_t at, bool is_changed) {
         const auto differs = pieces.difference(index, part, 1);

@@ -42,7 +42,7 @@ std::vector<double> random_values(std::size_t count, unsigned seed)
     return result;
 }
 
-/// The coordinates of the vertices, and numbers of all kinds.
+/// Returns attributes for a mesh: the coordinates of its vertices, and numbers of all kinds.
 io::mesh_attributes attributes_for(const basic_mesh<>& mesh)
 {
     io::mesh_attributes result;
@@ -68,7 +68,7 @@ bool are_same(double a, double b)
     return a == b or (std::isnan(a) and std::isnan(b));
 }
 
-/// Against the points, and against each attribute carried over a hierarchy by itself.
+/// Compares carried attributes with the points, and with each attribute carried over a hierarchy by itself.
 template <class Scheme>
 void expect_carried(const basic_mesh<>& mesh, const Scheme& scheme)
 {
@@ -139,7 +139,7 @@ TEST(attribute_fields, whole_numbers_stay_in_their_range)
         EXPECT_TRUE(x >= 0 and x <= 255 and x == std::floor(x));
         at_ends += x == 0 or x == 255;
     }
-    EXPECT_GT(at_ends, mesh.vertex_count()); // where the masks go beyond
+    EXPECT_GT(at_ends, mesh.vertex_count()); // where the masks exceed the range
 }
 
 TEST(attribute_fields, go_into_the_mesh_that_4_8_starts_from)
@@ -156,7 +156,7 @@ TEST(attribute_fields, go_into_the_mesh_that_4_8_starts_from)
                 ASSERT_EQ(found.vertices[i].values[v], made.point(v)[i]);
         ASSERT_EQ(found.faces[1].values, std::vector<double>(made.face_count(), 1));
         ASSERT_EQ(found.corners[0].values.size(), made.corner_count());
-        // A corner at an old vertex has what this vertex has in the face of this area.
+        // A corner at an old vertex has the value of this vertex in the old face with the same area.
         for (std::size_t f = 0; f < made.face_count(); ++f) {
             std::size_t parent = 0;
             while (control.faces[0].values[parent] != found.faces[0].values[f])
@@ -172,7 +172,7 @@ TEST(attribute_fields, go_into_the_mesh_that_4_8_starts_from)
     }
 }
 
-/// In tiles, as messages take them: the values of the whole level, by numbers there.
+/// Compares the attributes in tiles, in the form that messages take, with the values of the whole level.
 template <class Scheme>
 void expect_in_tiles(const basic_mesh<>& mesh, const Scheme& scheme)
 {
@@ -245,7 +245,7 @@ TEST(attribute_fields, a_message_has_the_values_of_the_control_faces_that_it_nee
     };
     const std::size_t one = size_of_part();
     numbers = {0, 2};
-    EXPECT_EQ(size_of_part() - one, 4 + 2 * 8 + 4 * 4 * 8); // the face, its numbers, and what its corners have
+    EXPECT_EQ(size_of_part() - one, 4 + 2 * 8 + 4 * 4 * 8); // the face, its numbers, and the values of its corners
 }
 
 TEST(attribute_fields, normals_are_taken_out)

@@ -35,7 +35,7 @@ public:
         std::ofstream(path) << text;
     }
     void remove(const std::string& name) { std::filesystem::remove_all(std::filesystem::path(root_) / name); }
-    /// What is available beside those two pages.
+    /// Returns the available memory without the two pages of the process.
     [[nodiscard]] std::uint64_t left() const
     {
         return available_memory(root_) - 2 * std::uint64_t(sysconf(_SC_PAGE_SIZE));
@@ -64,11 +64,11 @@ TEST(available_memory, is_no_more_than_a_group_of_version_2_leaves)
     EXPECT_EQ(system.left(), 499 * mega);
     system.add("sys/fs/cgroup/user.slice/job/memory.stat", "anon 5\ninactive_file 524288\nactive_file 9\n");
     EXPECT_EQ(system.left(), 499 * mega + mega / 2);
-    // The group above has less.
+    // The parent group has less memory.
     system.add("sys/fs/cgroup/user.slice/memory.max", std::to_string(300 * mega));
     system.add("sys/fs/cgroup/user.slice/memory.current", std::to_string(100 * mega));
     EXPECT_EQ(system.left(), 200 * mega);
-    // In use is more than the limit says.
+    // More memory is in use than the limit allows.
     system.add("sys/fs/cgroup/user.slice/memory.current", std::to_string(301 * mega));
     EXPECT_EQ(system.left(), 0U);
 }
@@ -81,7 +81,7 @@ TEST(available_memory, is_no_more_than_a_group_of_version_1_leaves)
     system.add("sys/fs/cgroup/memory/docker/1/memory.usage_in_bytes", std::to_string(60 * mega));
     system.add("sys/fs/cgroup/memory/docker/1/memory.stat", "cache 1\ntotal_inactive_file 1048576\n");
     EXPECT_EQ(system.left(), 5 * mega);
-    // In a container the path of the group is that of the host; its files lie at the top.
+    // In a container the path of the group is that of the host; the files of the group lie at the top.
     system.remove("sys/fs/cgroup/memory/docker");
     system.add("sys/fs/cgroup/memory/memory.limit_in_bytes", std::to_string(32 * mega));
     system.add("sys/fs/cgroup/memory/memory.usage_in_bytes", "0");

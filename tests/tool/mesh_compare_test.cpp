@@ -28,7 +28,8 @@ comparison compare(const soup& a, const soup& b, double tolerance)
     return compare_meshes(a.points, face_list(a.faces), b.points, face_list(b.faces), tolerance);
 }
 
-/// The same mesh with other numbers, its faces in another order and begun elsewhere, each point moved by up to `noise`.
+/// Returns the mesh with other numbers and its faces in another order, from other first corners. Each point is moved by
+/// up to `noise`.
 soup shuffled(const soup& mesh, unsigned seed, double noise = 0)
 {
     std::mt19937 random(seed);
@@ -51,7 +52,7 @@ soup shuffled(const soup& mesh, unsigned seed, double noise = 0)
     return result;
 }
 
-/// A torus of m x n quads that lies `covers` times over itself, as one piece.
+/// Makes a torus of m x n quads that covers itself `covers` times, in one piece.
 soup torus(std::size_t m, std::size_t n, std::size_t covers = 1)
 {
     soup result;
@@ -148,7 +149,8 @@ TEST(mesh_compare, takes_faces_without_corners_and_empty_meshes)
 
 TEST(mesh_compare, tells_coinciding_vertices_apart_by_their_faces)
 {
-    // Two pyramids whose tips touch: the tip is there twice. Exchanging two of the eight sides is another mesh.
+    // Two pyramids whose tips coincide, as two vertices. If two of the eight sides exchange their tips, the mesh is
+    // different.
     soup pyramids;
     for (const double up : {-1., 1.}) {
         const std::size_t tip = pyramids.points.size();
@@ -169,7 +171,7 @@ TEST(mesh_compare, tells_coinciding_vertices_apart_by_their_faces)
 
 TEST(mesh_compare, sees_a_face_turned_round_in_one_place)
 {
-    // A triangle without extent, whose corners are known by other triangles.
+    // A triangle without extent, whose corners are identified by other triangles.
     const soup mesh{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                     {{0, 1, 2}, {0, 3, 4}, {1, 4, 5}, {2, 5, 3}}};
     soup turned = mesh;
@@ -194,7 +196,8 @@ TEST(mesh_compare, follows_surfaces_that_lie_on_one_another)
 
 TEST(mesh_compare, falls_back_on_faces_alone)
 {
-    // Nothing but connectivity is left: an octahedron, and another triangulation with six vertices and eight faces.
+    // All points coincide, so only connectivity is left: an octahedron, and another mesh of six vertices and eight
+    // triangles.
     const soup octahedron{std::vector<point3>(6, {0, 0, 0}),
                           {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}}};
     soup other = octahedron; // the edge 0-1 turned to 2-4
@@ -210,7 +213,7 @@ TEST(mesh_compare, falls_back_on_faces_alone)
 
 TEST(mesh_compare, keeps_every_pair_within_the_tolerance)
 {
-    // The nearest partner of the first point is not its own: the second one would have none left.
+    // The nearest partner of the first point is the wrong one: it would leave none for the second point.
     const soup two{{{0, 0, 0}, {1, 0, 0}}, {}};
     const soup moved{{{0.6, 0, 0}, {-0.9, 0, 0}}, {}};
     const auto result = compare(two, moved, 1);

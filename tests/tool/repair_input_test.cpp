@@ -143,7 +143,7 @@ TEST(repair_input, a_seam_of_texture_coordinates_at_vertices_becomes_one_at_corn
     ASSERT_EQ(fine.attributes.vertices.size(), 1U);
     EXPECT_EQ(values(fine.attributes.vertices, "red"), (std::vector<double>{1, 2, 3, 4, 6, 7}));
     EXPECT_EQ(notes, texts{"colours: 1 joined vertex had other values than the vertex that is kept"});
-    // Without a seam they stay where they are.
+    // Without a seam, attributes stay at vertices.
     soup.attributes.vertices[0].values = {0, 1, 1, 0, 1, 2, 2, 1};
     EXPECT_EQ(mend(soup, "weld=0").soup.attributes.vertices.size(), 3U);
 }
