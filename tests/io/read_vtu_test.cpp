@@ -539,7 +539,7 @@ TEST(read_vtu, names_whole_numbers_that_a_double_does_not_hold)
         EXPECT_EQ(held.attributes.faces[0].values, values) << ids;
     }
 
-    // The same holds for binary data, in which one id is replaced by 2^53 + 1.
+    // Binary data lose these digits, too: one id becomes 2^53 + 1.
     std::string id, more;
     files::append(id, std::int64_t(5000000000));
     files::append(more, std::int64_t(9007199254740993));
