@@ -285,10 +285,9 @@ byte_sum tile_output::sum_of_share(std::uint64_t share, std::uint64_t shares)
 {
     if (not journal_)
         return {};
-    const auto begin = [&](std::uint64_t i) {
-        return layout_->size() / shares * i + layout_->size() % shares * i / shares;
-    };
-    byte_sum result = sum_of_bytes(*file_, begin(share), begin(share + 1));
+    const std::uint64_t size = layout_->size();
+    byte_sum result = sum_of_bytes(
+        *file_, begin_of_share(size, share, shares), begin_of_share(size, share + 1, shares));
     for (std::uint64_t tile = share; tile < journal_->tiles(); tile += shares)
         result += layout_->sum_of_own_file(tile);
     return result;

@@ -26,6 +26,13 @@ struct write_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Returns where a share begins if `size` things are cut into so many shares, whose sizes differ by one at most. Share
+/// number `shares` begins at `size`. Precondition: shares * shares does not overflow.
+constexpr std::uint64_t begin_of_share(std::uint64_t size, std::uint64_t share, std::uint64_t shares)
+{
+    return size / shares * share + size % shares * share / shares;
+}
+
 /// The interface for writing bytes at given offsets.
 struct placed_bytes {
     placed_bytes() = default;

@@ -205,10 +205,8 @@ private:
     void put_share(joined_writes& out, std::uint64_t tile, std::size_t array, const F& value) const
     {
         using type = std::invoke_result_t<const F&, std::uint64_t>;
-        const auto begin_of = [&](std::uint64_t share) {
-            return cells_ / alike_->tiles * share + cells_ % alike_->tiles * share / alike_->tiles;
-        };
-        const std::uint64_t begin = begin_of(tile), end = begin_of(tile + 1);
+        const std::uint64_t begin = begin_of_share(cells_, tile, alike_->tiles),
+                            end = begin_of_share(cells_, tile + 1, alike_->tiles);
         out.put_each(layout_.offset(array) + sizeof(type) * begin, std::size_t(end - begin), [&](std::size_t i) {
             return value(begin + i);
         });
