@@ -37,7 +37,7 @@ using kith::catmull_clark;
 using kith::global_id;
 using cutter_type = kith::tile_cutter<std::array<double, 3>, std::uint32_t, catmull_clark>;
 using tile_type = kith::tile<std::array<double, 3>, std::uint32_t>;
-using levels_type = kith::global_levels<catmull_clark>;
+using levels_type = kith::global_levels_of<catmull_clark>;
 
 struct job {
     std::size_t faces = 10000, parts = 1000, sample = 4;

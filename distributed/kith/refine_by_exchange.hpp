@@ -158,8 +158,11 @@ public:
         number();
         collective_phase(comm_, [&] {
             for (std::size_t t = 0; t < tiles_.size(); ++t) {
-                Scheme next_scheme = schemes_[t];
-                auto next = kith::detail::tile_step(tiles_[t].part, schemes_[t], steps_.back()).trim(1, next_scheme);
+                Scheme made_scheme = schemes_[t], next_scheme = schemes_[t];
+                auto next = kith::detail::refined_tile(tiles_[t].part, made_scheme, steps_.back())
+                                .trim(1, [&](const auto& part) {
+                                    kith::detail::restrict_state(next_scheme, made_scheme, part);
+                                });
                 swap_states(schemes_[t], next_scheme);
                 keep(kept_type{
                     tiles_[t].number, level_, std::exchange(tiles_[t].part, std::move(next)), std::move(next_scheme)});

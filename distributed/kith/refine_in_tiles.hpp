@@ -36,7 +36,7 @@ public:
                      int last_rings = 0) = delete;
 
     /// Returns the numbering of all levels.
-    [[nodiscard]] const global_levels<Scheme>& whole() const { return whole_; }
+    [[nodiscard]] const global_levels_of<Scheme>& whole() const { return whole_; }
     [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
 
     /// Returns the ancestors and descendants over all levels, in the numbers of the whole mesh. Cost: O(control mesh).
@@ -86,8 +86,8 @@ private:
         detail::require_control(mesh, scheme, levels);
         return mesh;
     }
-    static global_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels,
-                                          int last_rings)
+    static global_levels_of<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme,
+                                             int levels, int last_rings)
     {
         auto rim = cutter.cut_rim(ring_schedule(scheme, levels, 1)[0]);
         return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels, last_rings};
@@ -95,7 +95,7 @@ private:
 
     std::mutex cutting_;
     tile_cutter<Point, Index, Scheme> cutter_;
-    global_levels<Scheme> whole_;
+    global_levels_of<Scheme> whole_;
 };
 
 // Deduces for a scheme without reach a type that refuses it in one sentence.

@@ -104,7 +104,7 @@ public:
     }
 
     /// Returns the numbering of all levels. Local.
-    [[nodiscard]] const global_levels<Scheme>& whole() const { return *whole_; }
+    [[nodiscard]] const global_levels_of<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
     /// Returns the ancestors and descendants over all levels, in the numbers of the whole mesh, the same on all ranks.
@@ -280,7 +280,7 @@ private:
     connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
     std::optional<held_tiles<tile_type, Scheme>> held_;
-    std::optional<global_levels<Scheme>> whole_;
+    std::optional<global_levels_of<Scheme>> whole_;
     std::optional<tile_memory<Scheme>> memory_;
     tile_size largest_{}; // of all tiles, or of the tiles that already lay on this rank
     std::uint64_t limit_;

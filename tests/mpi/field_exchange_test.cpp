@@ -123,7 +123,7 @@ TEST(field_exchange, adds_what_ghosts_have_in_the_order_of_the_tiles)
     {
         kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
         auto rim = cutter.cut_rim(1);
-        const kith::global_levels<kith::catmull_clark> whole(
+        const kith::global_levels_of<kith::catmull_clark> whole(
             cutter.counts(), std::move(rim.part), std::move(rim.scheme), 2, 1);
         std::vector<tile3d> all;
         for (std::size_t p = 0; p < parts.parts; ++p) {

@@ -136,7 +136,7 @@ std::string tiles_differ(const Mesh& control, const Scheme& scheme, int levels, 
     kith::tile_cutter cutter(control, scheme, part_of, parts);
     const auto rings = kith::ring_schedule(scheme, levels, last_rings);
     auto rim = cutter.cut_rim(kith::ring_schedule(scheme, levels, 1)[0]);
-    const kith::global_levels<Scheme> whole(
+    const kith::global_levels_of<Scheme> whole(
         cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels, last_rings);
     if (whole.counts(levels) != kith::global_counts{whole_mesh.vertex_count(),
                                                     whole_mesh.edge_count(),
@@ -171,7 +171,7 @@ int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::si
     const auto part_of = partitions::blocks(parts, parts);
     kith::tile_cutter cutter(mesh, scheme, part_of, parts);
     auto rim = cutter.cut_rim(reach_of(scheme, std::max(1, last)));
-    const kith::global_levels<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), 1, last);
+    const kith::global_levels_of<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), 1, last);
     int result = 0;
     for (std::size_t p = 0; p < parts; p += stride) {
         const auto refined = [&](int rings) {

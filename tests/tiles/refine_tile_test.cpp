@@ -64,7 +64,7 @@ std::size_t compare_last_in_patches(const mesh3d& mesh, const Scheme& scheme, in
     kith::tile_cutter cutter(mesh, scheme, part_of, parts);
     const int rings = kith::ring_schedule(scheme, levels)[0];
     auto rim = cutter.cut_rim(kith::ring_schedule(scheme, levels, 1)[0]);
-    const kith::global_levels<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels);
+    const kith::global_levels_of<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels);
     std::size_t compared = 0;
     for (std::size_t p = 0; p < parts; ++p) {
         auto job = cutter.cut(p, rings);

@@ -5,6 +5,7 @@
 #include "tile_attributes.hpp"
 #include "cli/errors.hpp"
 
+#include <kith/fields/with_fields.hpp>
 #include <kith/plan.hpp>
 #include <kith/tiles/part/reach.hpp>
 #include <kith/tiles/refine/cut_tiles.hpp>
@@ -84,8 +85,7 @@ planned_ranks plan_ranks(const tile_request& request, const partition& parts, st
     return std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> planned_ranks {
             if constexpr (reaching_scheme<Scheme>)
-                return with_attributes(
-                    scheme, request, [&](const auto& s) { return plan_by(s, request, parts, ranks); });
+                return plan_by(with_fields(scheme, request.attributes), request, parts, ranks);
             else
                 throw usage_error("--ranks: " + not_in_tiles(scheme_name<Scheme>()) + "; plan without ranks");
         },

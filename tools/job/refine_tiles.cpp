@@ -8,6 +8,7 @@
 #include "cli/errors.hpp"
 #include "cli/terminal.hpp"
 
+#include <kith/fields/with_fields.hpp>
 #include <kith/refine_in_tiles.hpp>
 #include <kith/tiles/number/largest_degree.hpp>
 
@@ -67,11 +68,12 @@ finished_tile finish(Refinement& refinement, const tile_request& request, tile_o
         auto result = refinement.refine_job(number, last_rings(request) ? connect::everything : connect::faces, spent);
         if (request.limit)
             timed(spent[phase::refine],
-                  [&] { move_to_limit(result.part, plain(result.scheme), has_corner_normals(request)); });
+                  [&] { move_to_limit(result.part, result.scheme.plain(), has_corner_normals(request)); });
         return result;
     });
     auto& part = job.part;
-    const auto values = timed(spent[phase::refine], [&] { return tile_attributes(request).values_beside(job.scheme); });
+    const auto values = timed(spent[phase::refine],
+                              [&] { return tile_attributes(request).values_of(job.scheme.field()); });
     const phase_timer timer(spent[phase::write]);
     const shown_phase writing("writing", share_of_output(double(file.size())));
     if (is_finished) {
@@ -207,8 +209,7 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
     auto result = std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> tiled_result {
             if constexpr (reaching_scheme<Scheme>)
-                return with_attributes(
-                    scheme, request, [&](const auto& s) { return refine_by(s, request, how, kept, range); });
+                return refine_by(with_fields(scheme, request.attributes), request, how, kept, range);
             else
                 return {};
         },

@@ -4,7 +4,6 @@
 #include "limit_surface.hpp"
 #include "tile_request.hpp"
 
-#include <kith/fields/with_fields.hpp>
 #include <kith/tiles/output/file_array.hpp>
 
 #include <cstddef>
@@ -17,23 +16,6 @@ namespace kith::tool {
 inline bool has_attributes(const tile_request& request)
 {
     return not request.kinds.empty();
-}
-
-/// Calls f with the scheme, and with the attributes of the request beside it if there are any.
-template <scheme Scheme, class F>
-auto with_attributes(const Scheme& scheme, const tile_request& request, const F& f)
-{
-    return has_attributes(request) ? f(with_fields(scheme, request.attributes)) : f(scheme);
-}
-
-/// Returns the scheme without attributes.
-template <scheme Scheme>
-const auto& plain(const Scheme& scheme)
-{
-    if constexpr (wrapped_scheme<Scheme>)
-        return scheme.plain();
-    else
-        return scheme;
 }
 
 /// Returns the result of rings_of_last_level for a request.
@@ -55,15 +37,6 @@ public:
     [[nodiscard]] const std::vector<file_array>& arrays() const { return arrays_; }
     /// Returns the values of the fields, in the types of the file.
     [[nodiscard]] values values_of(const attribute_fields& fields) const;
-    /// Returns the values of the fields beside a scheme, or none if there are no attributes.
-    template <scheme Scheme>
-    [[nodiscard]] values values_beside(const Scheme& scheme) const
-    {
-        if constexpr (wrapped_scheme<Scheme>)
-            return values_of(scheme.field());
-        else
-            return {};
-    }
 
 private:
     io::mesh_attributes kinds_;

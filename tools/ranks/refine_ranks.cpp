@@ -16,6 +16,7 @@
 #include "job/tile_attributes.hpp"
 #include "job/tile_output.hpp"
 
+#include <kith/fields/with_fields.hpp>
 #include <kith/mpi/slices/tiles_of_slices.hpp>
 #include <kith/refine.hpp>
 #include <kith/tiles/number/largest_degree.hpp>
@@ -231,8 +232,8 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     std::atomic<std::size_t> tiles_here = 0;
     const auto write = [&](std::uint64_t number, auto part, const Scheme& scheme_there) {
         if (what.limit)
-            move_to_limit(part, plain(scheme_there), with_corner_normals);
-        const auto values = tile_attributes(what).values_beside(scheme_there);
+            move_to_limit(part, scheme_there.plain(), with_corner_normals);
+        const auto values = tile_attributes(what).values_of(scheme_there.field());
         finished_tile tile;
         std::optional<std::string> damage;
         const bool is_finished = std::ranges::binary_search(job.finished, number);
@@ -271,7 +272,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
         if (sums[0] + job.faces != counts.faces)
             throw std::logic_error("the tiles have " + std::to_string(sums[0] + job.faces) + " faces, not " +
                                    std::to_string(counts.faces) + "; this is an error in kith");
-        if (request.verify and checksum_on_one_rank(what, plain(scheme)) != all)
+        if (request.verify and checksum_on_one_rank(what, scheme.plain()) != all)
             throw std::logic_error("the surface differs from that of one rank; this is an error in kith");
         timed(seconds[phase::write], [&] { output.commit(found); });
     });
@@ -325,22 +326,20 @@ void refine_slices(mpi::communicator& comm, rank_request& request, const Scheme&
         if (comm.is_root())
             note_losses(request.input, attributes->not_kept());
     });
-    with_attributes(scheme, what, [&]<class Whole>(const Whole& whole) {
-        std::vector<kept_tile<tile<std::array<double, 3>>, Whole>> tiles;
-        std::size_t degree = 0;
-        mpi::collective_phase(comm, [&] {
-            const phase_timer timer(seconds[phase::read]);
-            for (auto& [number, part] : read.tiles) {
-                degree = std::max(degree, largest_degree(part, scheme, what.levels));
-                Whole here = whole;
-                if constexpr (wrapped_scheme<Whole>)
-                    here = with_fields(scheme, attributes->of_tile(part));
-                tiles.push_back({number, 0, std::move(part), std::move(here)});
-            }
-        });
-        mpi::rank_refinement refinement(comm, std::move(tiles), read.counts, whole, what.levels, last_rings(what));
-        write_surface(comm, request, whole, {}, refinement, degree, seconds);
+    using scheme_here = with_fields<Scheme, attribute_fields>;
+    std::vector<kept_tile<tile<std::array<double, 3>>, scheme_here>> tiles;
+    std::size_t degree = 0;
+    mpi::collective_phase(comm, [&] {
+        const phase_timer timer(seconds[phase::read]);
+        for (auto& [number, part] : read.tiles) {
+            degree = std::max(degree, largest_degree(part, scheme, what.levels));
+            scheme_here here(scheme, attributes->of_tile(part));
+            tiles.push_back({number, 0, std::move(part), std::move(here)});
+        }
     });
+    const scheme_here whole(scheme, what.attributes);
+    mpi::rank_refinement refinement(comm, std::move(tiles), read.counts, whole, what.levels, last_rings(what));
+    write_surface(comm, request, whole, {}, refinement, degree, seconds);
 }
 
 } // namespace
@@ -355,10 +354,9 @@ void refine_ranks(mpi::communicator& comm, rank_request& request)
     std::visit(
         [&]<class Scheme>(const Scheme& scheme) {
             if constexpr (reaching_scheme<Scheme>)
-                request.slices ? refine_slices(comm, request, scheme, seconds)
-                               : with_attributes(scheme, request.what, [&](const auto& with_those) {
-                                     refine_by(comm, request, with_those, std::move(kept), seconds);
-                                 });
+                request.slices
+                    ? refine_slices(comm, request, scheme, seconds)
+                    : refine_by(comm, request, with_fields(scheme, request.what.attributes), std::move(kept), seconds);
             else
                 throw usage_error(not_in_tiles(kith::scheme_name<Scheme>()) + "; use kith refine"); // on all ranks
         },

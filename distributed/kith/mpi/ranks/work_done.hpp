@@ -41,7 +41,7 @@ struct work_done {
 /// level; if `use` takes a kept_tile, it gets every level. Returns the work done. Each of the `at_once` tiles that are
 /// refined at the same time gets its share of the seconds. Errors and cost: those of the steps.
 template <tile_like Tile, reaching_scheme Scheme, class Use>
-work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels<Scheme>& whole,
+work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels_of<Scheme>& whole,
                          connect last, const Use& use, std::size_t at_once)
 {
     work_done done{.tiles = 1};
@@ -74,11 +74,11 @@ work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const
 }
 
 /// A worker that refines tiles on the threads of this rank, hands them to `use` and adds up the work. Local.
-template <reaching_scheme Scheme, class Use>
+template <declared_columns Columns, class Use>
 class tile_worker {
 public:
     /// Takes `last` and `use` as refine_counted does. `whole` and `use` must outlive this object.
-    tile_worker(const global_levels<Scheme>& whole, connect last, const Use& use, std::size_t most_at_once)
+    tile_worker(const global_levels<Columns>& whole, connect last, const Use& use, std::size_t most_at_once)
         : whole_(whole), last_(last), use_(use), most_at_once_(most_at_once)
     {
     }
@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    const global_levels<Scheme>& whole_;
+    const global_levels<Columns>& whole_;
     connect last_;
     const Use& use_;
     std::size_t most_at_once_;

@@ -21,9 +21,14 @@ inline constexpr bool has_columns_at_boundary<List<C...>> = (picks_at_boundary<d
 
 } // namespace detail
 
-/// The trait of schemes whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
+/// The trait of schemes, and of their columns, whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
+template <class T>
+inline constexpr bool numbers_corners_at_vertices = false;
+template <declared_columns Columns>
+inline constexpr bool numbers_corners_at_vertices<Columns> =
+    detail::affine_columns<decltype(Columns::faces)>::by_valence;
 template <scheme Scheme>
-inline constexpr bool numbers_corners_at_vertices = has_faces_by_valence<Scheme>;
+inline constexpr bool numbers_corners_at_vertices<Scheme> = numbers_corners_at_vertices<columns_type<Scheme>>;
 
 /// The trait of schemes that mark some edges, by `is_marked(edge)` of their traits(), and whose tiles need
 /// `tile::marked_before`: 4-8. The first column of edges must be that of the unmarked edges, whose new edges are the

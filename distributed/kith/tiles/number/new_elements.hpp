@@ -23,15 +23,13 @@ namespace kith::detail {
 /// a coarse element owns the new faces that come from it. The owner of a face also owns the vertices and edges that
 /// come from the face or its corners; any other new vertex or edge is owned by the owner of the first new face around
 /// it. These new faces are all in the tile if all coarse faces around the tuple are.
-template <tile_like Tile, scheme Scheme>
+template <tile_like Tile, declared_columns Columns>
 class new_elements {
     using index = typename Tile::index_type;
-    using numbers = numbering_of<Scheme, index>;
+    using numbers = numbering<Columns, index>;
 
 public:
-    using whole_type = global_numbering<columns_type<Scheme>>;
-
-    new_elements(const Tile& coarse, const numbers& ids, const whole_type& whole)
+    new_elements(const Tile& coarse, const numbers& ids, const global_numbering<Columns>& whole)
         : coarse_(coarse), ids_(ids), whole_(whole), facts_(coarse)
     {
     }
@@ -183,7 +181,7 @@ private:
 
     const Tile& coarse_;
     const numbers& ids_;
-    const whole_type& whole_;
+    const global_numbering<Columns>& whole_;
     tuple_facts<Tile> facts_;
 };
 

@@ -10,6 +10,7 @@
 #include <kith/tiles/number/global_numbering.hpp>
 #include <kith/tiles/part/reach.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -20,23 +21,22 @@ namespace kith {
 /// The data on the whole mesh that all tiles of a refinement need, level by level: the counts of elements, their
 /// numbering, and the rings of ghosts. They are the same on every rank. They are made without communication, from the
 /// counts of the control mesh and the faces along its boundary.
-template <reaching_scheme Scheme>
+template <declared_columns Columns>
 class global_levels {
     static_assert(
-        std::tuple_size_v<decltype(kith::columns_type<Scheme>::edges.list)> != 0,
+        std::tuple_size_v<decltype(Columns::edges.list)> != 0,
         "the edges of a tile need numbers in the whole mesh, which matching cannot give; let the scheme's columns "
         "declare new_edges");
 
 public:
-    using columns_type = kith::columns_type<Scheme>;
-
     /// Makes the data of levels 0 to `levels`. `rim` is a tile that owns all faces of level 0 that touch the boundary,
     /// with at least ring_schedule(scheme, levels, 1)[0] rings; `scheme` is the scheme of this tile. `rim` may be empty
     /// if the mesh is closed or the numbers do not depend on the boundary (numbers_boundary). Its generation must be
     /// that of the control mesh even then.
     /// Errors: mesh_error when there are more elements than global_id can number.
     /// Cost: that of refining the boundary.
-    template <tile_like Tile>
+    template <tile_like Tile, reaching_scheme Scheme>
+        requires std::same_as<columns_type<Scheme>, Columns>
     global_levels(const global_counts& control, Tile rim, Scheme scheme, int levels, int last_rings = 0)
         : rings_(ring_schedule(scheme, levels, last_rings)), counts_{control}
     {
@@ -48,11 +48,13 @@ public:
             numberings_.emplace_back(counts_.back(), columns_of(scheme, generation + level), rim);
             counts_.push_back(numberings_.back().counts());
             if (rim.mesh.face_count() != 0) {
-                detail::tile_step step(rim, scheme, numberings_.back());
+                Scheme next_scheme = scheme;
+                auto step = detail::refined_tile(rim, next_scheme, numberings_.back());
                 step.keep_boundary();
-                Tile next = step.trim(rim_rings[std::size_t(level) + 1], scheme);
+                Tile next = step.trim(rim_rings[std::size_t(level) + 1],
+                                      [&](const auto& part) { detail::restrict_state(scheme, next_scheme, part); });
                 corners_.emplace_back(next);
-                if constexpr (numbers_corners_at_vertices<Scheme>)
+                if constexpr (numbers_corners_at_vertices<Columns>)
                     corners_.back().number(next);
                 rim = std::move(next);
             } else {
@@ -65,7 +67,7 @@ public:
     [[nodiscard]] int levels() const { return int(numberings_.size()); }
     [[nodiscard]] const global_counts& counts(int level) const { return counts_[std::size_t(level)]; }
     [[nodiscard]] int rings(int level) const { return rings_[std::size_t(level)]; }
-    [[nodiscard]] const global_numbering<columns_type>& numbering(int level) const
+    [[nodiscard]] const global_numbering<Columns>& numbering(int level) const
     {
         return numberings_[std::size_t(level)];
     }
@@ -73,7 +75,7 @@ public:
 
     /// Returns the ancestors and descendants over all levels, by numbers. `control` has all runs of the control mesh.
     /// Cost: O(boundary).
-    [[nodiscard]] global_lineage<columns_type> lineage(const control_runs& control) const
+    [[nodiscard]] global_lineage<Columns> lineage(const control_runs& control) const
     {
         return {counts_, numberings_, corners_, control.joined()};
     }
@@ -81,8 +83,15 @@ public:
 private:
     std::vector<int> rings_;
     std::vector<global_counts> counts_;
-    std::vector<global_numbering<columns_type>> numberings_;
+    std::vector<global_numbering<Columns>> numberings_;
     std::vector<corners_at_vertices> corners_;
 };
+
+template <tile_like Tile, reaching_scheme Scheme, class... Rest>
+global_levels(const global_counts&, Tile, Scheme, Rest...) -> global_levels<columns_type<Scheme>>;
+
+/// The data on the whole mesh for the tiles of a scheme.
+template <reaching_scheme Scheme>
+using global_levels_of = global_levels<columns_type<Scheme>>;
 
 } // namespace kith

@@ -241,8 +241,8 @@ int first_in_patches([[maybe_unused]] const tile<Point, Index>& control, [[maybe
 
 /// Returns the costs that decide whether patches pay for a tile of this level. A template is taken to serve as many
 /// tiles as classes have faces in a sample, which are many where faces are alike. Cost: O(faces of the tile).
-template <tile_like Tile, reaching_scheme Scheme>
-strategy_costs costs_in_tiles(const Tile& coarse, int level, const global_levels<Scheme>& whole)
+template <tile_like Tile, declared_columns Columns>
+strategy_costs costs_in_tiles(const Tile& coarse, int level, const global_levels<Columns>& whole)
 {
     constexpr std::size_t looks = 128;
     const auto owned = std::max<std::uint64_t>(owned_count(coarse.face_marks), 1);
@@ -259,7 +259,7 @@ strategy_costs costs_in_tiles(const Tile& coarse, int level, const global_levels
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Point, Index>& coarse,
                                                   [[maybe_unused]] const Scheme& scheme, [[maybe_unused]] int level,
-                                                  [[maybe_unused]] const global_levels<Scheme>& whole,
+                                                  [[maybe_unused]] const global_levels_of<Scheme>& whole,
                                                   [[maybe_unused]] const strategy_costs& costs)
 {
 #ifdef KITH_HAS_LANES

@@ -154,7 +154,7 @@ template <reaching_scheme Scheme>
 class tile_memory {
 public:
     /// Takes the levels of a refinement and its `last_rings`.
-    tile_memory(const global_levels<Scheme>& whole, const Scheme& scheme, std::size_t point_bytes,
+    tile_memory(const global_levels_of<Scheme>& whole, const Scheme& scheme, std::size_t point_bytes,
                 std::size_t index_bytes, std::optional<int> last_rings)
         : scheme_(scheme), last_rings_(last_rings), rings_(whole.rings(0))
     {

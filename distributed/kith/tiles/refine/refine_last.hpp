@@ -18,12 +18,12 @@ namespace kith {
 /// of the memory. Errors and cost: as refine_once.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& scheme, int level,
-                               const global_levels<Scheme>& whole)
+                               const global_levels_of<Scheme>& whole)
 {
     constexpr Index none = connectivity<Index>::none;
     numbering_of<Scheme, Index> ids;
     const auto fine = refine_mesh<connect::faces>(coarse.mesh, scheme, ids);
-    const detail::new_elements<tile<Point, Index>, Scheme> elements(coarse, ids, whole.numbering(level));
+    const detail::new_elements elements(coarse, ids, whole.numbering(level));
 
     const std::vector<unsigned char> owned = elements.owned_faces();
     std::vector<Index> faces;

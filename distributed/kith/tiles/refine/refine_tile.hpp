@@ -22,10 +22,12 @@ namespace kith {
 /// communication. The result has the bits of the whole mesh's next level. Errors: as `refine`. Cost: that of the step.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme, int level,
-                               const global_levels<Scheme>& whole)
+                               const global_levels_of<Scheme>& whole)
 {
-    detail::tile_step step(coarse, scheme, whole.numbering(level));
-    auto result = step.trim(whole.rings(level + 1), scheme);
+    Scheme next = scheme;
+    auto step = detail::refined_tile(coarse, next, whole.numbering(level));
+    auto result = step.trim(whole.rings(level + 1),
+                            [&](const auto& part) { detail::restrict_state(scheme, next, part); });
     if constexpr (numbers_corners_at_vertices<Scheme>)
         whole.corners(level + 1).number(result);
     return result;
@@ -37,7 +39,7 @@ namespace detail {
 /// numbering does not allow it or patches do not pay. Errors and cost: as last_in_patches.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Index>& coarse, Scheme scheme, int level,
-                                                          const global_levels<Scheme>& whole)
+                                                          const global_levels_of<Scheme>& whole)
 {
     if constexpr (faces_descend_from_faces<Scheme, Index>)
         if (numbers_are_affine<Scheme>(false) and
@@ -54,15 +56,16 @@ std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Inde
 /// neither edges nor ghosts. Its last steps may then be made at once, in patches, and the scheme stays that of the
 /// level before them. `each(tile)` is called with every level that is made, but not with level 0.
 template <tile_like Tile, reaching_scheme Scheme, class Each>
-void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, connect last, const Each& each)
+void refine(tile_job<Tile, Scheme>& job, const global_levels_of<Scheme>& whole, connect last, const Each& each)
 {
-    const int patches = last == connect::faces ? first_in_patches(job.part, job.scheme, whole.levels()) : -1;
+    const auto& plain = plain_scheme(job.scheme);
+    const int patches = last == connect::faces ? first_in_patches(job.part, plain, whole.levels()) : -1;
     for (int level = 0; level < whole.levels(); ++level) {
         std::optional<Tile> made;
         if (level == patches)
-            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole));
+            made = last_in_patches(job.part, plain, level, whole, costs_in_tiles(job.part, level, whole));
         else if (level + 1 == patches and patches < whole.levels())
-            made = detail::last_in_patches_of_next(job.part, job.scheme, level, whole);
+            made = detail::last_in_patches_of_next(job.part, plain, level, whole);
         if (made) {
             job.part = std::move(*made);
             each(std::as_const(job.part));
@@ -78,7 +81,7 @@ void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, con
 /// last: keep(kept_tile). All levels have their edges, and as many rings of ghosts as `whole` says. Two levels are in
 /// memory, and the levels that `keep` stores.
 template <tile_like Tile, reaching_scheme Scheme, std::invocable<kept_tile<Tile, Scheme>> Keep>
-void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels<Scheme>& whole,
+void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels_of<Scheme>& whole,
                    const Keep& keep)
 {
     kept_tile<Tile, Scheme> here{number, 0, std::move(job.part), std::move(job.scheme)};
@@ -93,7 +96,7 @@ void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const globa
 }
 /// Returns the last level of a tile of level 0. `last` and `each` are those of `refine` for a tile_job.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme, class Each>
-tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels<Scheme>& whole, connect last,
+tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels_of<Scheme>& whole, connect last,
                           const Each& each)
 {
     tile_job<tile<Point, Index>, Scheme> job{std::move(part), std::move(scheme)};
@@ -102,7 +105,7 @@ tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_l
 }
 /// Returns the last level of a tile of level 0, without calls for the levels between.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
-tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels<Scheme>& whole,
+tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels_of<Scheme>& whole,
                           connect last = connect::everything)
 {
     return refine(std::move(part), std::move(scheme), whole, last, [](const auto&) {});

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,18 +22,19 @@
 namespace kith::detail {
 
 /// A refined tile before it is trimmed. It still has all that its ghosts made, and its outermost elements are wrong.
-template <tile_like Tile, scheme Scheme>
+/// The code depends on the columns of the scheme alone.
+template <tile_like Tile, declared_columns Columns>
 class tile_step {
     using point = typename Tile::point_type;
     using index = typename Tile::index_type;
 
 public:
-    tile_step(const Tile& coarse, const Scheme& scheme, const global_numbering<columns_type<Scheme>>& whole)
-        : fine_(refine_mesh<connect::everything>(coarse.mesh, scheme, ids_))
-        , elements_(coarse, ids_, whole)
-        , scheme_(scheme)
+    /// Takes the level that a step has made of a tile, and the numbering of the step. `coarse` and `whole` must outlive
+    /// this object.
+    tile_step(const Tile& coarse, basic_mesh<point, index> fine, numbering<Columns, index> ids,
+              const global_numbering<Columns>& whole)
+        : ids_(std::move(ids)), fine_(std::move(fine)), elements_(coarse, ids_, whole)
     {
-        advance(scheme_, elements_.facts().level(), coarse.mesh.generation(), ids_, fine_);
         const auto& t = fine_.topology();
         is_cut_.assign(fine_.edge_count(), 0);
         for (std::size_t e = 0; e < fine_.edge_count(); ++e)
@@ -57,9 +59,9 @@ public:
                 is_owned_[f] = 0;
     }
 
-    /// Returns the owned faces with `rings` rings around them and their global numbers; `scheme` becomes the scheme of
-    /// the result.
-    [[nodiscard]] Tile trim(int rings, Scheme& scheme)
+    /// Returns the owned faces with `rings` rings around them and their global numbers. use(part) is called with their
+    /// numbers in the level that the step has made.
+    [[nodiscard]] Tile trim(int rings, const std::function<void(const part_numbers<index>&)>& use)
     {
         submesh_cutter<point, index> cutter(fine_);
         std::vector<index> owned;
@@ -67,7 +69,7 @@ public:
             if (is_owned_[f] != 0)
                 owned.push_back(index(f));
         auto part = cutter.cut(cutter.faces_around(owned, rings));
-        restrict_state(scheme, scheme_, part.numbers());
+        use(part.numbers());
 
         Tile result;
         const auto first_is_owned = owned_first_faces(fine_, is_owned_);
@@ -93,13 +95,25 @@ private:
         return t.is_boundary(edge) ? left : std::min(left, t.face_of(t.halfedge_corner[2 * edge + 1]));
     }
 
-    numbering_of<Scheme, index> ids_;
+    numbering<Columns, index> ids_;
     basic_mesh<point, index> fine_;
-    new_elements<Tile, Scheme> elements_;
-    Scheme scheme_;
+    new_elements<Tile, Columns> elements_;
     std::vector<unsigned char> is_cut_;
     std::vector<unsigned char> is_owned_;
 };
+
+/// Makes one step of a tile and advances `scheme`, the scheme of the tile, to the level that the step makes. Errors: as
+/// `refine`. Cost: that of the step.
+template <tile_like Tile, scheme Scheme>
+tile_step<Tile, columns_type<Scheme>> refined_tile(const Tile& coarse, Scheme& scheme,
+                                                   const global_numbering<columns_type<Scheme>>& whole)
+{
+    using mesh_type = basic_mesh<typename Tile::point_type, typename Tile::index_type>;
+    numbering_of<Scheme, typename Tile::index_type> ids;
+    auto fine = refine_mesh<connect::everything>(coarse.mesh, scheme, ids);
+    advance(scheme, level_of<mesh_type>(coarse.mesh), coarse.mesh.generation(), ids, fine);
+    return {coarse, std::move(fine), std::move(ids), whole};
+}
 
 /// Refines a tile of a whole mesh with these counts once and keeps all that the step makes, including wrong outermost
 /// elements. The result has the global numbers of its elements and their owned marks, but no cut marks. `scheme`

@@ -50,6 +50,16 @@ concept wrapped_scheme = scheme<S> and requires(const S& s) {
     requires not std::same_as<S, std::remove_cvref_t<decltype(s.plain())>>;
 };
 
+/// Returns the scheme that makes the steps: plain() of a wrapped scheme, any other scheme itself.
+template <scheme Scheme>
+const auto& plain_scheme(const Scheme& scheme)
+{
+    if constexpr (wrapped_scheme<Scheme>)
+        return scheme.plain();
+    else
+        return scheme;
+}
+
 /// A scheme that states in its traits() how far its masks reach. `reach` is a function of k: the number of rings of
 /// faces (that share a vertex) needed around some faces of a level. Then k rings around their children are right on the
 /// next level: points, faces and fans within. The proofs are in docs/distributed.md.
