@@ -15,15 +15,17 @@ namespace kith {
 
 namespace detail {
 
+/// The part of a scheme's data that becomes that of the last level.
+enum class carried : bool { fields, fields_and_scheme };
+
 /// The fields that a refinement carries along: a std::tuple of references or values. They become those of the last
-/// level, and so does the scheme if NeedsScheme is true.
-template <class Fields, scheme Scheme, std::unsigned_integral Index, bool NeedsScheme>
+/// level, and the scheme may, too.
+template <class Fields, scheme Scheme, std::unsigned_integral Index>
 class carried_fields {
 public:
-    static constexpr bool needs_scheme = NeedsScheme;
+    carried_fields(Fields& fields, carried what) : fields_(fields), what_(what) {}
 
-    explicit carried_fields(Fields& fields) : fields_(fields) {}
-
+    [[nodiscard]] bool needs_scheme() const { return what_ == carried::fields_and_scheme; }
     template <finished_step Step, mesh Fine>
     bool advance(const Step& step, Fine&)
     {
@@ -57,6 +59,7 @@ private:
     static constexpr bool has_none = std::tuple_size_v<Fields> == 0;
 
     Fields& fields_;
+    carried what_;
 #ifdef KITH_HAS_LANES
     std::optional<fields_in_patches<Index, Scheme>> in_patches_;
 #endif
@@ -69,39 +72,38 @@ void require_fields(const Level& level, const Fields& fields)
     std::apply([&](const auto&... each) { (each.require_one_each(level), ...); }, fields);
 }
 
-/// Refines a native mesh that the scheme accepts. The fields become those of the last level, and so does the scheme if
-/// NeedsScheme is true.
-template <bool NeedsScheme, class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
+/// Refines a native mesh that the scheme accepts. What is carried becomes that of the last level.
+template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with_fields_along(basic_mesh<Point, Index> control, Scheme& scheme, Fields& fields,
-                                                  int levels, connect last_level)
+                                                  carried what, int levels, connect last_level)
 {
     require_fields(level_of<basic_mesh<Point, Index>>(control), fields);
-    using carried = carried_fields<Fields, Scheme, Index, NeedsScheme>;
-    carried along(fields);
+    using carried_type = carried_fields<Fields, Scheme, Index>;
+    carried_type along(fields, what);
     native_last_level<Point, Index> last(last_level);
-    refinement_run<Point, Index, Scheme, carried>(std::move(control), scheme, levels, along).make(last);
+    refinement_run<Point, Index, Scheme, carried_type>(std::move(control), scheme, levels, along).make(last);
     return last.take();
 }
 
-/// Refines as `refine` does. The fields become those of the last level, and so does the scheme if NeedsScheme is true.
-template <bool NeedsScheme, class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
-basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, int levels,
-                                     const refine_options& options)
+/// Refines as `refine` does. What is carried becomes that of the last level.
+template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
+basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, carried what,
+                                     int levels, const refine_options& options)
 {
     validate(mesh).require_ok();
     auto control = with_edges(mesh);
     require_refinable(control, scheme, levels, options);
-    return refine_with_fields_along<NeedsScheme>(std::move(control), scheme, fields, levels, options.last_level);
+    return refine_with_fields_along(std::move(control), scheme, fields, what, levels, options.last_level);
 }
-template <bool NeedsScheme, mesh M, scheme Scheme, class Fields>
-M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const refine_options& options)
+template <mesh M, scheme Scheme, class Fields>
+M refine_with(const M& mesh, Scheme& scheme, Fields& fields, carried what, int levels, const refine_options& options)
 {
     auto control = to_native_valid(mesh);
     with_numbers_of(mesh, scheme, generation_of(mesh), [&] {
         return require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     });
-    return build_like(
-        mesh, refine_with_fields_along<NeedsScheme>(std::move(control), scheme, fields, levels, connect::everything));
+    return build_like(mesh,
+                      refine_with_fields_along(std::move(control), scheme, fields, what, levels, connect::everything));
 }
 
 } // namespace detail
@@ -116,7 +118,7 @@ M refine_with_fields(const M& mesh, const Scheme& scheme, int levels, std::tuple
 {
     Scheme last = scheme;
     std::tuple<Fields...> next = fields;
-    M fine = detail::refine_with<false>(mesh, last, next, levels, options);
+    M fine = detail::refine_with(mesh, last, next, detail::carried::fields, levels, options);
     fields = std::move(next);
     return fine;
 }
@@ -128,8 +130,19 @@ M refine_with_fields(const M& mesh, Scheme& scheme, int levels, const refine_opt
 {
     Scheme last = scheme;
     std::tuple<> none;
-    M fine = detail::refine_with<true>(mesh, last, none, levels, options);
+    M fine = detail::refine_with(mesh, last, none, detail::carried::fields_and_scheme, levels, options);
     swap_states(scheme, last);
+    return fine;
+}
+template <refinable_mesh M, scheme Plain, class... Fields>
+M refine_with_fields(const M& mesh, with_fields<Plain, Fields...>& scheme, int levels,
+                     const refine_options& options = {})
+{
+    Plain last = scheme.plain();
+    std::tuple<Fields...> next = scheme.fields();
+    M fine = detail::refine_with(mesh, last, next, detail::carried::fields_and_scheme, levels, options);
+    swap_states(static_cast<Plain&>(scheme), last);
+    scheme.fields() = std::move(next);
     return fine;
 }
 

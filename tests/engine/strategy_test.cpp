@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/evaluator.hpp>
+#include <kith/fields/with_fields.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/make_creases.hpp>
 #include <kith/refine.hpp>
 #include <kith/refine_in_tiles.hpp>
 #include <kith/refine_with_fields.hpp>
@@ -88,10 +90,10 @@ TEST(strategy, can_be_forced)
 
 /// The results of all functions that refine a native mesh.
 struct made_by_doors {
-    mesh3d faces, everything;
+    mesh3d faces, everything, with_state;
     std::vector<mesh3d> levels;
     std::vector<mesh3d> of_tiles;
-    std::vector<double> carried, along;
+    std::vector<double> carried, along, beside;
     std::vector<std::array<double, 3>> evaluated;
 };
 
@@ -114,6 +116,11 @@ made_by_doors by_all_doors(const mesh3d& mesh, const Scheme& scheme, int steps)
     height_field along(heights);
     refine_with_fields(mesh, scheme, steps, std::tie(along));
     result.along.assign(along.values().begin(), along.values().end());
+    kith::with_fields beside(scheme, height_field(heights));
+    result.with_state = refine_with_fields(mesh, beside, steps);
+    result.beside.assign(beside.field().values().begin(), beside.field().values().end());
+    if constexpr (kith::scheme_with_creases<Scheme>)
+        EXPECT_EQ(beside.plain().sharpness, levels.scheme(steps).sharpness);
     kith::evaluator points(mesh, scheme, steps);
     const auto evaluated = points.evaluate(mesh.points());
     result.evaluated.assign(evaluated.begin(), evaluated.end());
@@ -142,6 +149,8 @@ void expect_same_by_all_ways(const mesh3d& mesh, const Scheme& scheme, int steps
             EXPECT_TRUE(same_bits(made.levels[level], expected.levels[level])) << int(way) << ' ' << level;
         EXPECT_EQ(made.carried, expected.carried) << int(way);
         EXPECT_EQ(made.along, expected.along) << int(way);
+        EXPECT_EQ(made.beside, expected.along) << int(way);
+        EXPECT_TRUE(same_bits(made.with_state, expected.everything)) << int(way);
         EXPECT_EQ(made.evaluated, expected.evaluated) << int(way);
         for (std::size_t tile = 0; tile < made.of_tiles.size(); ++tile)
             EXPECT_TRUE(same_bits(made.of_tiles[tile], expected.of_tiles[tile])) << int(way) << ' ' << tile;
@@ -153,6 +162,10 @@ TEST(strategy, makes_the_same_bits_at_every_door_by_every_way)
     const auto quads = native(shapes::shaken(shapes::shuffled(shapes::torus(9, 8), 3)));
     const auto triangles = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(6, 7)), 5)));
     expect_same_by_all_ways(quads, kith::catmull_clark{}, 3);
+    kith::catmull_clark creased;
+    creased.sharpness = kith::make_creases(quads,
+                                           [](auto e) { return e.value % 7 == 0 ? double(1 + e.value % 5) : 0; });
+    expect_same_by_all_ways(quads, creased, 3);
     expect_same_by_all_ways(quads, kith::kobbelt{}, 2);
     expect_same_by_all_ways(quads, kith::doo_sabin{}, 3);
     expect_same_by_all_ways(triangles, kith::loop{}, 3);

@@ -32,10 +32,15 @@ prints '^level by level: 384 faces are fewer than 12500, where templates begin t
 run plan cube.off -s catmull-clark -n 9 --why --json
 prints '"why":"in patches from level 6 on: [0-9]+ classes of faces, [0-9]+ with templates"\}$'
 run plan cube.off -s catmull-clark -n 9 --why --limit
+prints '^in patches from level 6 on: [0-9]+ classes of faces, [0-9]+ with templates$'
+run plan cube.off -s catmull-clark -n 9 --why --limit --crease-angle 60
 prints '^level by level: the levels between are wanted, too$'
 run plan cube.off -s catmull-clark -n 3 --why --mesh cgal
+exits 0
+prints '^level by level: the levels between are wanted, too$'
+run plan cube.off -s catmull-clark -n 3 --why --ranks 2
 exits 2
-says 'leave --mesh and --ranks out'
+says 'leave --ranks out'
 for way in levels order patches; do
     run refine cube.off -s catmull-clark -n 3 -o $way.ply --way $way
     exits 0

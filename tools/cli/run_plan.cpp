@@ -177,8 +177,8 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
         throw usage_error(
             "--mesh and --ranks do not go together, since ranks refine native tiles; leave one of them out");
     const bool tells_why = values->count("why") != 0;
-    if (tells_why and (values->count("mesh") != 0 or values->count("ranks") != 0))
-        throw usage_error("--why: tells of native meshes in one process; leave --mesh and --ranks out");
+    if (tells_why and values->count("ranks") != 0)
+        throw usage_error("--why: tells of one process; leave --ranks out");
     control_mesh input = read_mesh(required(*values, "IN"), input_repair_from(*values));
     give_creases(scheme, input, words);
     const bool limit = values->count("limit") != 0;
@@ -189,7 +189,8 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
         return 0;
     }
     const bool has_holes = not holes_of(input.tags, input.mesh).empty();
-    const basic_mesh<> control = prepared(scheme, std::move(input.mesh));
+    attribute_fields attributes(input.attributes, input.mesh);
+    const basic_mesh<> control = prepared(scheme, std::move(input.mesh), attributes);
     require_scheme_takes(scheme, control);
     const auto fits = [&](const auto& s) {
         return plan_what_fits(count(control.topology()), s, levels, control.generation());
@@ -199,8 +200,9 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
         .mesh = mesh_kind_from(*values), .limit = limit, .holes = has_holes, .attributes = count_of(input.attributes)};
     planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels)), {}};
     if (tells_why and planned.problem.empty()) {
-        const refine_request request{.scheme = scheme, .levels = levels, .memory = {}, .limit = limit};
-        job.why = explain(strategy_of_native(control, request));
+        const refine_request request{
+            .scheme = scheme, .levels = levels, .memory = {}, .limit = limit, .attributes = std::move(attributes)};
+        job.why = explain(strategy_of(kind.mesh, control, request));
     }
     if (values->count("json") != 0)
         print_json(job);

@@ -49,9 +49,8 @@ refined_mesh refine_native(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_cgal(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request);
 
-/// Returns the strategy by which refine_native makes the last level, with the reason. Values at corners may need single
-/// steps all the same.
-/// Errors: those of strategy_of.
-strategy strategy_of_native(const basic_mesh<>& control, const refine_request& request);
+/// Returns the strategy by which the last level is made on this kind of mesh, with the reason.
+/// Errors: those of kith::strategy_of.
+strategy strategy_of(mesh_kind mesh, const basic_mesh<>& control, const refine_request& request);
 
 } // namespace kith::tool

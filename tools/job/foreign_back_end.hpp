@@ -15,8 +15,7 @@
 
 namespace kith::tool {
 
-/// Returns true if the remaining sharpness is requested and some edge or vertex is still sharp. All levels, which pass
-/// sharpness on, are then kept.
+/// Returns true if the remaining sharpness is requested and some edge or vertex is still sharp.
 inline bool keeps_tags(const refine_request& request)
 {
     return request.with_tags and sharp_after(request.scheme, request.levels).any();
@@ -49,6 +48,21 @@ basic_mesh<To> with_points(const basic_mesh<From>& mesh, int generation)
     return {std::move(points), mesh.topology(), generation};
 }
 
+/// Adds the requested data that the edges and the scheme of the last level tell: the remaining sharpness, the limit
+/// positions and the normals.
+template <scheme Scheme>
+void add_sharpness_and_limit(refined_mesh& refined, const Scheme& scheme, const refine_request& request)
+{
+    if constexpr (scheme_with_creases<Scheme>)
+        if (request.with_tags)
+            refined.tags = io::tags_of(scheme.sharpness, level_of<basic_mesh<>>(refined.mesh));
+    if (request.limit) {
+        auto normals = move_to_limit(refined.mesh, scheme, request.corner_normals);
+        refined.normals = std::move(normals.of_vertices);
+        refined.corner_normals = std::move(normals.of_corners);
+    }
+}
+
 /// Refines on meshes of type M, with one mesh for each level.
 template <class M>
 refined_mesh refine_on(const basic_mesh<>& control, const refine_request& request)
@@ -64,19 +78,11 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             const int generation = control.generation() + request.levels; // which other libraries forget
             refined_mesh refined{with_points<std::array<double, 3>>(to_native(levels.finest()), generation)};
             refined.edges = refined.mesh.edge_count();
-            if constexpr (scheme_with_creases<Scheme>) {
-                if (request.with_tags)
-                    refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,
-                                               levels.elements(request.levels));
+            if constexpr (scheme_with_creases<Scheme>)
                 refined.holes = levels.carry(0, request.levels, request.holes);
-            }
             refined.attributes = request.attributes.carried(
                 [&](const auto& field) { return levels.carry(0, request.levels, field); });
-            if (request.limit) {
-                auto normals = move_to_limit(refined.mesh, levels.scheme(request.levels), request.corner_normals);
-                refined.normals = std::move(normals.of_vertices);
-                refined.corner_normals = std::move(normals.of_corners);
-            }
+            add_sharpness_and_limit(refined, levels.scheme(request.levels), request);
             return refined;
         },
         request.scheme);

@@ -60,21 +60,32 @@ constexpr double bytes_of_other_library = 2 << 20;
 
 /// Returns the bytes of the corners, half-edges and starts of fans that are listed if a scheme runs on a mesh of
 /// another library.
-double bytes_of_view(const planned_level& level, mesh_kind mesh)
+double bytes_of_view(const planned_level& level)
 {
-    return mesh == mesh_kind::native ? 0 : bytes_of(4, 8, 0, level) + 4 * double(level.counts.corners());
+    return bytes_of(4, 8, 0, level) + 4 * double(level.counts.corners());
 }
 
-/// Returns the bytes of a refinement level by level that keeps each level and converts the last one to a native mesh.
+/// Returns the bytes of a refinement on meshes of another library that keeps each level and converts the last one to a
+/// native mesh.
 double bytes_of_hierarchy(const std::vector<planned_level>& levels, const job_kind& kind)
 {
-    double kept = kind.mesh == mesh_kind::native ? 0 : bytes_of_other_library;
+    double kept = bytes_of_other_library;
     for (const planned_level& level : levels)
-        kept += bytes_on_mesh(level, kind.mesh) + bytes_of_view(level, kind.mesh);
+        kept += bytes_on_mesh(level, kind.mesh) + bytes_of_view(level);
     const planned_level& last = levels.back();
     if (not kind.limit)
-        return kept - bytes_of_view(last, kind.mesh) + 2 * double(last.bytes);
+        return kept - bytes_of_view(last) + 2 * double(last.bytes);
     return kept + double(last.bytes) + std::max(double(last.bytes), bytes_of(bytes_of_limit, 0, 0, last));
+}
+
+/// Returns the bytes of a refinement of native meshes. It keeps two levels at once, and the last one has its edges if
+/// limits or tags need them.
+double bytes_of_two_levels(const std::vector<planned_level>& levels, const job_kind& kind)
+{
+    const bool has_edges = kind.limit or kind.tags;
+    const double most = double(levels.front().bytes) + double(peak_bytes(levels, false, not has_edges));
+    return kind.limit ? std::max(most, double(levels.back().bytes) + bytes_of(bytes_of_limit, 0, 0, levels.back()))
+                      : most;
 }
 
 /// Returns the plan with the bytes of a 32-bit index, even if 32 bits cannot number all elements.
@@ -255,10 +266,10 @@ bool is_reordered(const any_scheme& scheme, const basic_mesh<>& control, int lev
 std::uint64_t job_bytes(const std::vector<planned_level>& levels, const job_kind& kind, bool reordered)
 {
     const planned_level &control = levels.front(), &last = levels.back();
-    double most = bytes_of_hierarchy(levels, kind);
+    const bool is_native = kind.mesh == mesh_kind::native;
+    double most = is_native ? bytes_of_two_levels(levels, kind) : bytes_of_hierarchy(levels, kind);
     double written = double(last.bytes);
-    if (kind.mesh == mesh_kind::native and not kind.limit and not kind.tags) {
-        most = double(control.bytes) + double(peak_bytes(levels, false, true));
+    if (is_native and not kind.limit and not kind.tags) {
         written = double(last.least_bytes);
         if (reordered and
             levels.size() >

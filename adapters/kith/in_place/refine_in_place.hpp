@@ -47,8 +47,6 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
 template <scheme Scheme, class Carried, class AfterStep>
 class carried_in_place {
 public:
-    static constexpr bool needs_scheme = true;
-
     /// Takes the values and a function after_step(numbering, points). It is called with the new points of each step
     /// before they are used. If it returns false, the refinement stops.
     carried_in_place(Carried& values, bool& keeps_vertices, bool points_stay, const AfterStep& after_step)
@@ -56,6 +54,7 @@ public:
     {
     }
 
+    [[nodiscard]] static constexpr bool needs_scheme() { return true; }
     template <finished_step Step, mesh Fine>
     bool advance(const Step& step, Fine& fine)
     {

@@ -19,14 +19,14 @@ namespace kith {
 /// Values that are carried along with a refinement, such as fields. Beside `advance` (see nothing_carried) their class
 /// has
 ///
-///   static constexpr bool needs_scheme;  // true if the scheme must become that of the last level
+///   bool needs_scheme() const;           // true if the scheme must become that of the last level
 ///   bool may_go_in_patches() const;      // true if the values may go through several steps at once
 ///   bool enter_patches(level, scheme, plan, connect);
 ///                                        // true if they can do so from this level on, which lives until
 ///   bool leave_patches();                // advances them to the last level; false stops the refinement
 template <class T>
 concept carried_in_patches = requires(T& carried) {
-    { T::needs_scheme } -> std::convertible_to<bool>;
+    { carried.needs_scheme() } -> std::convertible_to<bool>;
     { carried.may_go_in_patches() } -> std::convertible_to<bool>;
     { carried.leave_patches() } -> std::convertible_to<bool>;
 };
@@ -167,19 +167,17 @@ private:
     /// Returns false if the scheme of the last level is needed and depends on the steps between.
     [[nodiscard]] bool is_last_scheme_known() const
     {
-        if constexpr (not Carried::needs_scheme)
-            return true;
-        else if constexpr (scheme_of_places<Scheme>)
-            return state_marks<Index>(mesh_.topology(), scheme_).empty();
+        if constexpr (scheme_of_places<Scheme>)
+            return not carried_.needs_scheme() or state_marks<Index>(mesh_.topology(), scheme_).empty();
         else
-            return false;
+            return not carried_.needs_scheme();
     }
     bool leave()
     {
         if constexpr (carries_nothing) {
             return true;
         } else {
-            if constexpr (Carried::needs_scheme)
+            if (carried_.needs_scheme())
                 for (int generation = mesh_.generation(); generation < last_generation_; ++generation)
                     detail::advance_without_elements<basic_mesh<Point, Index>>(scheme_, generation);
             return carried_.leave_patches();

@@ -31,6 +31,9 @@ public:
     {
         return std::get<I>(fields_);
     }
+    /// Returns all fields of the level that this scheme refines.
+    [[nodiscard]] std::tuple<Fields...>& fields() { return fields_; }
+    [[nodiscard]] const std::tuple<Fields...>& fields() const { return fields_; }
     /// Returns the scheme without its fields, as at this level.
     [[nodiscard]] const Scheme& plain() const { return *this; }
 

@@ -29,6 +29,7 @@ enum class strategy_reason : unsigned char {
     unlike_faces,    ///< too few faces look alike, also after some steps
     scattered_faces, ///< faces lie in no order, and small patches gain nothing there
     all_levels,      ///< the levels between are wanted, too
+    single_steps,    ///< carried values follow single steps
     state,           ///< the state of the scheme says which elements are made
     many_classes     ///< too few faces share a template
 };
@@ -72,6 +73,7 @@ KITH_IN_LIBRARY std::string explain(const strategy& how)
             return "faces lie in no order, and patches of fewer than " + number(how.needed) +
                    " faces gain nothing there";
         case strategy_reason::all_levels: return "the levels between are wanted, too";
+        case strategy_reason::single_steps: return "values that are carried along follow single steps";
         case strategy_reason::state: return "the state of the scheme says which elements are made";
         case strategy_reason::many_classes: return classes + " are too many for templates to pay";
         }
