@@ -18,6 +18,14 @@ elseif(with_IO)
     message(STATUS "kith: zlib not found, so compressed files of VTK are refused")
 endif()
 
+find_package(nlohmann_json 3 QUIET)
+if(nlohmann_json_FOUND)
+    target_include_directories(kith_io SYSTEM PRIVATE $<TARGET_PROPERTY:nlohmann_json::nlohmann_json,INTERFACE_INCLUDE_DIRECTORIES>)
+    target_compile_definitions(kith_io PRIVATE KITH_HAS_JSON)
+elseif(with_IO)
+    message(STATUS "kith: nlohmann-json not found, so no .glb is written")
+endif()
+
 # All schemes on native meshes, which would else be compiled in every program that uses them.
 kith_compiled_library(compiled_schemes IS_BUILT ${with_COMPILED_SCHEMES} COMPONENT compiled_schemes
     SOURCES schemes/compiled/*.cpp)

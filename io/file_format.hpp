@@ -25,7 +25,8 @@ struct file_format {
     std::string_view extension;
     std::string_view index{}; ///< the extension of files that name their pieces; empty: the format has none
     format_contents contents{};
-    polygon_soup (*read)(std::string_view bytes);
+    /// Reads a file. Null: the format is only written.
+    polygon_soup (*read)(std::string_view bytes) = nullptr;
     /// Reads a file whose pieces lie in a folder. Null: the format has no pieces.
     polygon_soup (*read_in_folder)(std::string_view bytes, const std::string& folder) = nullptr;
     /// Writes a mesh. Null: the format is written in tiles.

@@ -11,12 +11,12 @@
 
 namespace kith::io {
 
-extern const file_format off_format, obj_format, ply_format, stl_format, vtu_format, vtp_format;
+extern const file_format off_format, obj_format, ply_format, stl_format, vtu_format, vtp_format, glb_format;
 
 namespace {
 
 /// The formats, in the order of mesh_format.
-constexpr std::array formats{&off_format, &obj_format, &ply_format, &stl_format, &vtu_format, &vtp_format};
+constexpr std::array formats{&off_format, &obj_format, &ply_format, &stl_format, &vtu_format, &vtp_format, &glb_format};
 
 /// Returns the extensions as a text: ".off, .obj or .ply".
 std::string listed(const std::vector<std::string_view>& extensions)
@@ -63,13 +63,16 @@ std::string extension_of(const std::string& path)
 
 mesh_format format_of(const std::string& path)
 {
-    if (const file_format* format = find_format(path))
+    if (const file_format* format = find_format(path); format != nullptr and format->read != nullptr)
         return format->format;
     std::vector<std::string_view> extensions;
-    for (const file_format* format : formats)
+    for (const file_format* format : formats) {
+        if (format->read == nullptr)
+            continue;
         for (const std::string_view extension : {format->extension, format->index})
             if (not extension.empty())
                 extensions.push_back(extension);
+    }
     throw file_error(path + ": the extension decides the format and must be " + listed(extensions));
 }
 

@@ -13,11 +13,14 @@ namespace kith::io {
 
 polygon_soup read_mesh(mesh_format format, std::string_view bytes)
 {
+    const auto read = file_format_of(format).read;
+    if (read == nullptr)
+        throw file_error("the format is only written");
     bytes = without_byte_order_mark(bytes);
     if (bytes.find_first_not_of(" \t\r\n") == bytes.npos)
         throw file_error("the file is empty");
     file_work.begin(bytes.size());
-    return file_format_of(format).read(bytes);
+    return read(bytes);
 }
 
 polygon_soup read_mesh_file(const std::string& path)

@@ -50,6 +50,14 @@ void require_finite_corner_normals(const written_mesh& what)
                              " would have no finite normal; the coordinates of the input are too large");
 }
 
+void require_float_points(const written_mesh& what, const std::string& format_and_remedy)
+{
+    const auto fits_float = [](double x) { return std::isfinite(float(x)); };
+    for (std::size_t v = 0; v < what.mesh.vertex_count(); ++v)
+        if (not std::ranges::all_of(what.mesh.point(v), fits_float))
+            throw file_error("vertex " + std::to_string(v) + " is too far away for the floats of " + format_and_remedy);
+}
+
 void require_finite_values(mesh_format format, const written_mesh& what)
 {
     const held_attributes held = held_by(format, what);

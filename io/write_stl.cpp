@@ -159,11 +159,8 @@ void write_stl(std::ostream& out, const written_mesh& what)
 
 void require_for_stl(const written_mesh& what)
 {
-    const auto fits_float = [](double x) { return std::isfinite(float(x)); };
-    for (std::size_t v = 0; what.binary and v < what.mesh.vertex_count(); ++v)
-        if (not std::ranges::all_of(what.mesh.point(v), fits_float))
-            throw file_error("vertex " + std::to_string(v) +
-                             " is too far away for the floats of binary STL; write text, or .off, .obj or .ply");
+    if (what.binary)
+        require_float_points(what, "binary STL; write text, or .off, .obj or .ply");
     for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
         if (what.mesh.face(f).size() > 3)
             throw file_error("face " + std::to_string(f) + " has " + std::to_string(what.mesh.face(f).size()) +

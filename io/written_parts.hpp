@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,9 @@ namespace kith::io {
 void require_finite_normals(const written_mesh& what);
 void require_finite_corner_normals(const written_mesh& what);
 void require_finite_values(mesh_format format, const written_mesh& what);
+
+/// Throws file_error for a vertex whose place is too large for a float. `format_and_remedy` ends the message.
+void require_float_points(const written_mesh& what, const std::string& format_and_remedy);
 
 /// Returns the attributes of these names, at most `most` of them. Returns none if there are fewer than `least`.
 attribute_list held_list(const std::vector<attribute>& from, std::span<const std::string_view> names, std::size_t least,

@@ -114,8 +114,9 @@ TEST(write_mesh_file, what_is_refused_leaves_the_file_as_it_was)
     EXPECT_EQ(vtu_files::bytes_of(path), before);
     for (const std::string name : {"mesh.vtu", "mesh.txt"})
         EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh_file(name, {.mesh = mesh}); }),
-                  name + ": the extension decides the format and must be .off, .obj, .ply, .stl or .vtp, or .vtu or "
-                         ".pvtu, which are written in tiles");
+                  name +
+                      ": the extension decides the format and must be .off, .obj, .ply, .stl, .vtp or .glb, or .vtu or "
+                      ".pvtu, which are written in tiles");
 }
 
 TEST(write_mesh_file, writes_off_to_standard_output)

@@ -67,7 +67,7 @@ says 'directory.off: is a directory'
 rmdir directory.off
 refine out.xyz
 exits 1
-says '^kith: out.xyz: the extension decides the format and must be .off, .obj, .ply, .stl or .vtp, or .vtu or .pvtu, which are written'
+says '^kith: out.xyz: the extension decides the format and must be .off, .obj, .ply, .stl, .vtp or .glb, or .vtu or .pvtu, which are written'
 refine out
 exits 1
 says 'the extension'

@@ -33,7 +33,7 @@ constexpr std::array verbs{
          "  kith refine house.obj -s loop --triangulate -n 4 -o fine.obj --limit\n"
          "  kith refine cow.off -s loop -n 9 -o fine.vtu --tiles 500     # for results larger than memory\n"
          "The extension of a file selects OFF, OBJ, PLY, STL, VTP or VTU; - is standard input or output, as OFF.\n"
-         "IN may be .pvtu or .pvtp, too; OUT may be .vtu or .pvtu, which need no --tiles.\n"
+         "IN may be .pvtu or .pvtp, too; OUT may be .glb, or .vtu or .pvtu, which need no --tiles.\n"
          "With tiles, the output is .vtu, .pvtu or .ply, and always binary.\n"},
     verb{"tessellate",
          "Writes triangles on the limit surface of a mesh, as fine as asked for.",

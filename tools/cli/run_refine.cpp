@@ -115,8 +115,9 @@ void append_isolated(io::mesh_attributes& attributes, const control_mesh& contro
     }
 }
 
-/// Prints a note on what the floats of binary STL change, if that is more than the last digits of the mesh.
-void note_rounding(const std::string& output, const written_mesh& what)
+/// Prints a note on what the floats of a format change, if that is more than the last digits of the mesh. `fallen` is
+/// the number of triangles that are left out.
+void note_rounding(const std::string& output, const std::string& format, const written_mesh& what, std::size_t fallen)
 {
     double largest_move = 0, size = 0;
     std::array<double, 3> least = what.mesh.point(0), most = least;
@@ -127,16 +128,15 @@ void note_rounding(const std::string& output, const written_mesh& what)
             most[i] = std::max(most[i], p[i]);
             size = std::max(size, most[i] - least[i]);
         }
-    const std::size_t fallen = fallen_faces(what);
     constexpr double last_digits = 1e-6;
     if (fallen == 0 and largest_move <= last_digits * size)
         return;
-    std::cerr << "kith: note: " << output << ": the floats of binary STL move coordinates by up to "
+    std::cerr << "kith: note: " << output << ": the floats of " << format << " move coordinates by up to "
               << shortest_text(largest_move);
     if (fallen != 0)
         std::cerr << "; " << fallen << " of " << counted(what.mesh.face_count(), "triangle")
                   << (fallen == 1 ? " collapses and is" : " collapse and are") << " left out";
-    std::cerr << "; text, .off, .obj and .ply keep doubles\n";
+    std::cerr << (format == ".glb" ? "; " : "; text, ") << ".off, .obj and .ply keep doubles\n";
 }
 
 /// Returns the number of bytes by which memory grows until the last level is made. They hold that level, or all levels
@@ -148,14 +148,14 @@ double bytes_of_levels(const refine_request& request, const basic_mesh<>& contro
             return plan_what_fits(count(control.topology()), scheme, request.levels, control.generation()).levels;
         },
         request.scheme);
-    return mesh == mesh_kind::native and not request.limit and not request.with_tags
-               ? double(planned.back().least_bytes)
-               : double(job_bytes(planned,
-                                  {.mesh = mesh,
-                                   .limit = request.limit,
-                                   .corner_normals = request.corner_normals,
-                                   .tags = request.with_tags,
-                                   .attributes = request.counted}));
+    if (mesh == mesh_kind::native)
+        return double(request.limit or request.with_tags ? planned.back().bytes : planned.back().least_bytes);
+    return double(job_bytes(planned,
+                            {.mesh = mesh,
+                             .limit = request.limit,
+                             .corner_normals = request.corner_normals,
+                             .tags = request.with_tags,
+                             .attributes = request.counted}));
 }
 
 /// Returns the share of a refinement that is done, measured by the memory that it fills. Returns an empty function for
@@ -270,7 +270,9 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     note_losses(input, control.not_kept);
     note_zeros(output, written_as_zero(format, attributes));
     if (format == mesh_format::stl and binary)
-        note_rounding(output, what);
+        note_rounding(output, "binary STL", what, fallen_faces(what));
+    if (format == mesh_format::glb)
+        note_rounding(output, ".glb", what, 0);
 
     const auto vertices = result.mesh.vertex_count() + control.isolated.size();
     const auto faces = result.mesh.face_count();

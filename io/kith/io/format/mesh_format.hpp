@@ -7,9 +7,9 @@
 
 namespace kith::io {
 
-/// The formats that are read. All but VTU are written here; VTU is written in tiles (output/). VTU and VTP are VTK's
-/// XML files with surfaces, and the indices .pvtu and .pvtp of such files.
-enum class mesh_format : unsigned char { off, obj, ply, stl, vtu, vtp };
+/// The formats. All but VTU are written here; VTU is written in tiles (output/). VTU and VTP are VTK's XML files with
+/// surfaces, and the indices .pvtu and .pvtp of such files. GLB is the binary form of glTF 2.0; it is only written.
+enum class mesh_format : unsigned char { off, obj, ply, stl, vtu, vtp, glb };
 
 /// The contents that a format may have room for, beside places, faces and attributes.
 struct format_contents {
@@ -28,7 +28,8 @@ inline const std::string standard_stream = "-";
 /// Returns the extension of a path, in small letters: ".off".
 std::string extension_of(const std::string& path);
 
-/// Returns the format that a path's extension names, in capital or small letters. Errors: file_error if it names none.
+/// Returns the format of a file to be read, which its extension names in capital or small letters. Errors: file_error
+/// if it names none.
 mesh_format format_of(const std::string& path);
 /// Returns the same as format_of, but for a file to be written: the error also names the formats of tiles.
 mesh_format output_format_of(const std::string& path);
