@@ -1,5 +1,5 @@
-# The libraries that are compiled: files, all schemes on native meshes, the usual meshes of CGAL and OpenMesh.
-foreach(part IO COMPILED_SCHEMES COMPILED_MESHES)
+# The libraries that are compiled: files, pictures, all schemes on native meshes, the usual meshes of CGAL and OpenMesh.
+foreach(part IO PICTURE COMPILED_SCHEMES COMPILED_MESHES)
     set(with_${part} FALSE)
     if(KITH_${part} OR KITH_TOOLS OR KITH_TESTS)
         set(with_${part} TRUE)
@@ -24,6 +24,18 @@ if(nlohmann_json_FOUND)
     target_compile_definitions(kith_io PRIVATE KITH_HAS_JSON)
 elseif(with_IO)
     message(STATUS "kith: nlohmann-json not found, so no .glb is written")
+endif()
+
+# What draws pictures.
+kith_compiled_library(picture IS_BUILT ${with_PICTURE} COMPONENT picture ROOT picture HEADERS picture/kith/*.hpp
+    SOURCES picture/*.cpp)
+target_link_libraries(kith_picture PUBLIC kith::kith)
+find_package(PNG QUIET)
+if(PNG_FOUND)
+    target_link_libraries(kith_picture PRIVATE PNG::PNG)
+    target_compile_definitions(kith_picture PRIVATE KITH_HAS_PNG)
+elseif(with_PICTURE)
+    message(STATUS "kith: libpng not found, so pictures are written as SVG only")
 endif()
 
 # All schemes on native meshes, which would else be compiled in every program that uses them.

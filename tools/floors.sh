@@ -12,6 +12,7 @@ schemes     < include : schemes/compiled schemes/split schemes/kernel schemes/cr
 distributed < include schemes : tiles/part tiles/number tiles/refine tiles/ply tiles/output mpi mpi/ranks mpi/slices .
 adapters    < include schemes : . in_place cgal openmesh cgal_subdivision.hpp openmesh_subdivision.hpp
 io          < include schemes distributed : io/text io/format .
+picture     < include : picture .
 '
 
 status=0

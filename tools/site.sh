@@ -3,7 +3,7 @@
 # `python3 -m http.server -d build/site`; search needs a server.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-roots=(include schemes adapters distributed io docs/Doxyfile)
+roots=(include schemes adapters distributed io picture docs/Doxyfile)
 reference=build/reference/html
 mkdir -p build
 if [ ! -f $reference/index.html ] || [ -n "$(find "${roots[@]}" -type f -newer $reference/index.html -print -quit)" ]; then

@@ -55,6 +55,10 @@ static_assert(kith::refinable_mesh<OpenMesh::PolyMesh_ArrayKernelT<>>);
 #include <kith/eigen_mesh.hpp>
 #endif
 
+#if defined(WITH_picture)
+#include <kith/picture.hpp>
+#endif
+
 #if defined(WITH_io)
 #include <kith/read_mesh.hpp>
 #include <kith/write_mesh.hpp>
@@ -100,6 +104,9 @@ int main()
 #endif
 #if defined(WITH_eigen)
     is_right &= kith::points_as_matrix(square).rows() == 4;
+#endif
+#if defined(WITH_picture)
+    is_right &= kith::picture::draw({.panels = {{.items = {kith::picture::surface_of(square)}}}}).width == 800;
 #endif
 #if defined(WITH_io)
     std::ostringstream out;
