@@ -60,8 +60,8 @@ struct panel {
 };
 
 /// The direction in which the viewer looks, without perspective, in degrees. At azimuth 0 and elevation 0 the viewer
-/// stands in front. A positive azimuth moves the viewer to the right, a positive elevation upward. `up` is the axis that
-/// points upward: 2 is z, with x to the right in front; 1 is y, with x to the right; 0 is x, with y to the right.
+/// stands in front. A positive azimuth moves the viewer to the right, a positive elevation upward. `up` is the axis
+/// that points upward: 2 is z, with x to the right in front; 1 is y, with x to the right; 0 is x, with y to the right.
 struct view {
     double azimuth = 45, elevation = 35.264389682754654;
     int up = 2;
