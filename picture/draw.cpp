@@ -92,15 +92,16 @@ public:
                    int per_pixel)
         : surface_(&s)
         , places_(std::move(places))
-        , normals_(s.normals.size())
+        , normals_(s.corner_normals.empty() ? s.normals.size() : s.corner_normals.size())
         , half_width_(s.edges.width * per_pixel / 2)
         , bands_(count, s.face_count(), rows,
                  [&](std::size_t f) { return extent_of(corners_of(f), places_, half_width_); })
     {
-        detail::for_parts(normals_.size(), true, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v)
+        const auto& normals = s.corner_normals.empty() ? s.normals : s.corner_normals;
+        detail::for_parts(normals.size(), true, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
                 for (std::size_t k = 0; k < 3; ++k)
-                    normals_[v][k] = float(dot(axes[k], s.normals[v]));
+                    normals_[i][k] = float(dot(axes[k], normals[i]));
         });
     }
 
@@ -115,12 +116,15 @@ public:
             const float sign = is_back ? -1 : 1;
             const point flat = in_length_one(area);
             const color& paint = surface_->face_colors.empty() ? surface_->paint : surface_->face_colors[f];
+            const auto number = [&](std::size_t i) { // of a normal
+                return surface_->corner_normals.empty() ? corners[i] : surface_->first[f] + i;
+            };
             const auto corner = [&](std::size_t i) {
                 const std::uint32_t v = corners[i];
                 const point& p = places_[v];
                 placed_corner result{p[0], p[1], float(p[2]), {}, paint};
                 for (std::size_t k = 0; k < 3; ++k)
-                    result.normal[k] = sign * (normals_.empty() ? float(flat[k]) : normals_[v][k]);
+                    result.normal[k] = sign * (normals_.empty() ? float(flat[k]) : normals_[number(i)][k]);
                 if (not surface_->vertex_colors.empty())
                     result.paint = surface_->vertex_colors[v];
                 return result;
@@ -156,7 +160,7 @@ private:
 
     const surface* surface_;
     std::vector<point> places_;
-    std::vector<std::array<float, 3>> normals_;
+    std::vector<std::array<float, 3>> normals_; // of the points or of the corners
     double half_width_;
     bands bands_;
 };
@@ -239,14 +243,10 @@ image draw(const sheet& sheet)
         for (const auto& item : sheet.panels[p].items)
             std::visit(
                 [&](const auto& i) {
-                    std::vector<point> points(i.points.size());
-                    detail::for_parts(points.size(), true, [&](std::size_t begin, std::size_t end) {
-                        for (std::size_t v = begin; v < end; ++v) {
-                            points[v] = places.place(p, i.points[v]);
-                            for (double& x : points[v])
-                                x *= scale;
-                        }
-                    });
+                    std::vector<point> points = places.place_all(p, i);
+                    for (point& place : points)
+                        for (double& x : place)
+                            x *= scale;
                     items.push_back(placed(i, places.axes(), std::move(points), count, rows, sheet.samples));
                     if constexpr (requires { i.edges; })
                         widest = std::max(widest, i.edges.width);

@@ -3,6 +3,8 @@
 
 #include "letters.hpp"
 
+#include <kith/core/base/for_parts.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,6 +38,7 @@ void require_complete(const surface& s)
     require(std::ranges::all_of(s.corners, [&](auto v) { return v < s.points.size(); }),
             "a corner of a surface is none of its points");
     require(is_one_each(s.normals.size(), s.points.size()), "a surface needs a normal per point, or none");
+    require(is_one_each(s.corner_normals.size(), s.corners.size()), "a surface needs a normal per corner, or none");
     require(is_one_each(s.vertex_colors.size(), s.points.size()), "a surface needs a color per point, or none");
     require(is_one_each(s.face_colors.size(), s.face_count()), "a surface needs a color per polygon, or none");
 }
@@ -178,21 +181,28 @@ void layout::place_legend(const sheet& sheet, double left)
     }
 }
 
-point layout::place(std::size_t panel, const point& p) const
+std::vector<point> layout::placed(std::size_t panel, const std::vector<point>& points, double lift) const
 {
-    const point a = along(axes_, p);
-    return {centers_[panel][0] + scale_ * (a[0] - middle_[0]),
-            centers_[panel][1] - scale_ * (a[1] - middle_[1]),
-            scale_ * (a[2] - middle_[2])};
+    std::vector<point> result(points.size());
+    detail::for_parts(points.size(), true, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const point p = along(axes_, points[i]);
+            result[i] = {centers_[panel][0] + scale_ * (p[0] - middle_[0]),
+                         centers_[panel][1] - scale_ * (p[1] - middle_[1]),
+                         scale_ * (p[2] - middle_[2] + lift)};
+        }
+    });
+    return result;
 }
 
-std::vector<point> layout::place_all(std::size_t panel, const std::vector<point>& points) const
+std::vector<point> layout::place_all(std::size_t panel, const surface& s) const
 {
-    std::vector<point> result;
-    result.reserve(points.size());
-    for (const point& p : points)
-        result.push_back(place(panel, p));
-    return result;
+    return placed(panel, s.points, 0);
+}
+
+std::vector<point> layout::place_all(std::size_t panel, const lines& l) const
+{
+    return placed(panel, l.points, l.lift);
 }
 
 brightness brightness_of(shading light, const point& normal)

@@ -32,16 +32,17 @@ public:
     /// Places the parts of a picture. Errors: std::invalid_argument, as `draw`.
     explicit layout(const sheet& sheet);
 
-    /// Returns a point of a panel in pixels: from the left, from the top, and toward the viewer.
-    [[nodiscard]] point place(std::size_t panel, const point& p) const;
-    /// Returns the places of all points of an item.
-    [[nodiscard]] std::vector<point> place_all(std::size_t panel, const std::vector<point>& points) const;
+    /// Returns the places of all points of an item; those of lines are lifted.
+    [[nodiscard]] std::vector<point> place_all(std::size_t panel, const surface& s) const;
+    [[nodiscard]] std::vector<point> place_all(std::size_t panel, const lines& l) const;
 
     [[nodiscard]] const view_axes& axes() const { return axes_; }
     [[nodiscard]] const std::vector<placed_text>& texts() const { return texts_; }
     [[nodiscard]] const std::vector<placed_bar>& bars() const { return bars_; }
 
 private:
+    /// Returns points of a panel in pixels: from the left, from the top, and toward the viewer.
+    [[nodiscard]] std::vector<point> placed(std::size_t panel, const std::vector<point>& points, double lift) const;
     void place_legend(const sheet& sheet, double left);
 
     view_axes axes_;

@@ -64,9 +64,12 @@ bool is_finite(const point& p)
     return std::isfinite(p[0] + p[1] + p[2]);
 }
 
-void paint(std::vector<painted>& out, const surface& s, const layout& places, std::size_t panel)
+/// Paints polygons. Returns twice the mean distance between the nearest corner of a polygon and its middle, in depth.
+double paint(std::vector<painted>& out, const surface& s, const layout& places, std::size_t panel)
 {
-    const std::vector<point> all = places.place_all(panel, s.points);
+    const std::vector<point> all = places.place_all(panel, s);
+    double reach = 0;
+    const bool is_smooth = not s.normals.empty() or not s.corner_normals.empty();
     for (std::size_t f = 0; f < s.face_count(); ++f) {
         std::vector<point> corners;
         point normal{}, area{};
@@ -75,9 +78,9 @@ void paint(std::vector<painted>& out, const surface& s, const layout& places, st
         for (std::size_t c = s.first[f]; c < s.first[f + 1]; ++c) {
             const std::uint32_t v = s.corners[c];
             corners.push_back(all[v]);
-            if (not s.normals.empty())
+            if (is_smooth)
                 for (std::size_t k = 0; k < 3; ++k)
-                    normal[k] += dot(places.axes()[k], s.normals[v]);
+                    normal[k] += dot(places.axes()[k], s.corner_normals.empty() ? s.normals[v] : s.corner_normals[c]);
             if (not s.vertex_colors.empty()) {
                 const color& at = s.vertex_colors[v];
                 mixed.red += share * at.red, mixed.green += share * at.green;
@@ -95,7 +98,7 @@ void paint(std::vector<painted>& out, const surface& s, const layout& places, st
         }
         if (s.closed and area[2] <= 0)
             continue;
-        normal = in_length_one(s.normals.empty() ? area : normal);
+        normal = in_length_one(is_smooth ? normal : area);
         if (area[2] < 0)
             for (double& x : normal)
                 x = -x;
@@ -111,19 +114,23 @@ void paint(std::vector<painted>& out, const surface& s, const layout& places, st
             path += number(p[0]) + ' ' + number(p[1]) + ' ';
         path += "z'/>\n";
         out.push_back({middle[2], std::move(path)});
+        const auto depth_of = [](const point& p) { return p[2]; };
+        reach += 2 * (depth_of(std::ranges::max(corners, {}, depth_of)) - middle[2]) / double(s.face_count());
     }
+    return reach;
 }
 
-void paint(std::vector<painted>& out, const lines& l, const layout& places, std::size_t panel)
+/// Paints lines. Each is as much nearer to the viewer as the polygons around it may be before their middles.
+void paint(std::vector<painted>& out, const lines& l, const layout& places, std::size_t panel, double reach)
 {
-    const std::vector<point> all = places.place_all(panel, l.points);
+    const std::vector<point> all = places.place_all(panel, l);
     const std::string style = " stroke='" + hexadecimal(l.ink) + "'" + opacity("stroke-opacity", l.ink) +
                               " stroke-width='" + number(l.width) + "'";
     for (const auto& [from, to] : l.segments) {
         const point &a = all[from], &b = all[to];
         if (not is_finite(a) or not is_finite(b))
             continue;
-        // Short pieces, so that each has one depth; a little nearer than the surface that they lie on.
+        // Short pieces, so that each has one depth.
         constexpr double longest = 24;
         const double length = std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]));
         const bool is_flat = a[2] == b[2];
@@ -133,7 +140,7 @@ void paint(std::vector<painted>& out, const lines& l, const layout& places, std:
                 return point{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
             };
             const point p = at(double(i) / double(pieces)), q = at(double(i + 1) / double(pieces));
-            out.push_back({std::max(p[2], q[2]) + (is_flat ? 0 : l.width),
+            out.push_back({std::max(p[2], q[2]) + reach,
                            "<path" + style + " d='M" + number(p[0]) + ' ' + number(p[1]) + 'L' + number(q[0]) + ' ' +
                                number(q[1]) + "'/>\n"});
         }
@@ -153,8 +160,13 @@ void write_svg(std::ostream& out, const sheet& sheet)
             << hexadecimal(sheet.background) << "'" << opacity("fill-opacity", sheet.background) << "/>\n";
     for (std::size_t i = 0; i < sheet.panels.size(); ++i) {
         std::vector<painted> parts;
+        double reach = 0;
         for (const auto& item : sheet.panels[i].items)
-            std::visit([&](const auto& x) { paint(parts, x, places, i); }, item);
+            if (const auto* const of_surface = std::get_if<surface>(&item))
+                reach = std::max(reach, paint(parts, *of_surface, places, i));
+        for (const auto& item : sheet.panels[i].items)
+            if (const auto* const of_lines = std::get_if<lines>(&item))
+                paint(parts, *of_lines, places, i, reach);
         std::ranges::stable_sort(parts, {}, &painted::depth);
         for (const painted& part : parts)
             out << part.text;

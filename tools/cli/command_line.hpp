@@ -25,6 +25,7 @@ struct verb {
 
 int run_refine(const verb&, const std::vector<std::string>& arguments);
 int run_tessellate(const verb&, const std::vector<std::string>& arguments);
+int run_picture(const verb&, const std::vector<std::string>& arguments);
 int run_info(const verb&, const std::vector<std::string>& arguments);
 int run_compare(const verb&, const std::vector<std::string>& arguments);
 int run_plan(const verb&, const std::vector<std::string>& arguments);

@@ -41,6 +41,13 @@ constexpr std::array verbs{
          "Examples:\n"
          "  kith tessellate cow.off -s loop --chord-error 0.001 -o cow.ply\n"
          "  kith tessellate house.obj -s catmull-clark --segments 8 -o house.obj\n"},
+    verb{"picture",
+         "Draws the limit surface of a mesh, or its levels, as PNG or SVG.",
+         run_picture,
+         "Examples:\n"
+         "  kith picture cow.off -s loop --wire 1 -o cow.png\n"
+         "  kith picture house.obj -s catmull-clark --color gaussian --view 30,20 --up y -o house.png\n"
+         "  kith picture house.obj -s catmull-clark,doo-sabin -n 0,1,2,3 --color parent -o levels.svg\n"},
     verb{"info",
          "Reports the contents and the problems of a mesh file; exit code 1 if it has problems.",
          run_info,

@@ -8,8 +8,8 @@
 #include "job/holes.hpp"
 #include "job/mesh_input.hpp"
 #include "job/settle_attributes.hpp"
+#include "job/surface_places.hpp"
 
-#include <kith/surface.hpp>
 #include <kith/write_mesh.hpp>
 
 #include <algorithm>
@@ -20,7 +20,6 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace kith::tool {
@@ -28,8 +27,6 @@ namespace kith::tool {
 namespace {
 
 namespace po = boost::program_options;
-
-using triangles = tessellation<std::array<double, 3>>;
 
 po::options_description options_of_tessellate()
 {
@@ -72,29 +69,9 @@ tessellation_options tessellation_options_from(const po::variables_map& values)
 
 /// The triangles of a tessellation, and their vertices as places that can be evaluated.
 struct located_triangles {
-    triangles made;
+    surface_triangles made;
     located_places at;
 };
-
-/// Tessellates a control mesh, and locates the vertices if the mesh has attributes of vertices. Errors: usage_error for
-/// a scheme that the program does not tessellate.
-located_triangles tessellate_with(const any_scheme& scheme, const control_mesh& control,
-                                  const tessellation_options& options)
-{
-    return std::visit(
-        [&]<class Scheme>(const Scheme& s) -> located_triangles {
-            if constexpr (parametric_scheme<Scheme> and scheme_with_creases<Scheme>) {
-                located_triangles result{tessellate(control.mesh, s, options), {}};
-                if (not control.attributes.vertices.empty())
-                    result.at = surface_locator(control.mesh, s).locate(result.made.places);
-                return result;
-            } else {
-                throw usage_error("tessellate: '" + std::string(scheme_name<Scheme>()) +
-                                  "' is not possible here; the schemes are catmull-clark and loop");
-            }
-        },
-        scheme);
-}
 
 /// Returns the attributes of the triangles. Those of vertices are as smooth as the surface; those of faces come from
 /// the face in which a triangle lies.
@@ -153,9 +130,11 @@ int run_tessellate(const verb& verb, const std::vector<std::string>& arguments)
     give_creases(scheme, control, words);
     settle(control, format, scheme, is_binary);
     const hole_field holes = holes_of(control.tags, control.mesh);
-    located_triangles on_surface = tessellate_with(scheme, control, options);
+    located_triangles on_surface{tessellate_with(scheme, "tessellate", control.mesh, options), {}};
+    if (not control.attributes.vertices.empty())
+        on_surface.at = locate_with(scheme, "tessellate", control.mesh, on_surface.made.places);
     auto attributes = attributes_on(on_surface, control.attributes, control.mesh.vertex_count());
-    triangles& made = on_surface.made;
+    surface_triangles& made = on_surface.made;
     refined_mesh result;
     result.mesh = std::move(made.mesh);
     result.normals = std::move(made.normals);

@@ -33,10 +33,11 @@ struct surface {
     std::vector<point> points{};
     std::vector<std::uint32_t> corners{};
     std::vector<std::uint32_t> first{0};
-    std::vector<point> normals{};       ///< unit normals of the points; without them polygons are flat
-    color paint = gray;                 ///< of everything that has no color of its own
-    std::vector<color> face_colors{};   ///< of the polygons, or empty
-    std::vector<color> vertex_colors{}; ///< of the points, or empty
+    std::vector<point> normals{};        ///< unit normals of the points; without normals polygons are flat
+    std::vector<point> corner_normals{}; ///< unit normals of the corners, which come before those of the points
+    color paint = gray;                  ///< of everything that has no color of its own
+    std::vector<color> face_colors{};    ///< of the polygons, or empty
+    std::vector<color> vertex_colors{};  ///< of the points, or empty
     shading light = shading::lit;
     outline edges{};
     bool closed = false; ///< polygons that are seen from behind are left out
@@ -45,11 +46,13 @@ struct surface {
 };
 
 /// Straight lines with round ends between pairs of points; `width` is in pixels. A line between equal points is a dot.
+/// Surfaces hide lines only if they are nearer to the viewer by `lift`, a length in the scene.
 struct lines {
     std::vector<point> points{};
     std::vector<std::array<std::uint32_t, 2>> segments{};
     color ink{.15F, .15F, .18F, 1};
     double width = 1;
+    double lift = 0;
     double hidden = 0; ///< opacity behind surfaces, from 0 to 1; only in images of pixels
 };
 
