@@ -14,6 +14,8 @@ struct counts {
     std::uint64_t edges = 0;
     std::uint64_t faces = 0;
     std::uint64_t boundary_edges = 0;
+    /// The faces with three corners. Plans of schemes that make other polygons of unknown degree do not count these.
+    std::uint64_t triangles = 0;
 
     // Dual schemes need these numbers at the boundary to compute the counts of the next level. Other schemes leave them
     // zero.

@@ -94,6 +94,8 @@ public:
     {
         kith::counts result{.vertices = vertex_count(), .edges = edge_count(), .faces = face_count()};
         result.boundary_edges = 2 * edge_count() - corner_count();
+        for (std::size_t f = 0; f < face_count(); ++f)
+            result.triangles += face_corner_[f + 1] - face_corner_[f] == 3;
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const vertex_handle v = vertices_[i];
             if (across(first(v)) != no_corner)

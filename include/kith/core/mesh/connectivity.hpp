@@ -156,11 +156,16 @@ struct connectivity {
     }
 };
 
-/// Returns the counts of a mesh, including those of boundary vertices. Cost: O(edges), for a closed mesh O(1).
+/// Returns the counts of a mesh, including those of boundary vertices. Cost: O(edges), for a closed mesh O(1) if all
+/// faces are triangles or all are quads.
 template <std::unsigned_integral Index>
 counts count(const connectivity<Index>& mesh)
 {
     counts result{.vertices = mesh.vertices, .edges = mesh.edges(), .faces = mesh.faces};
+    if (mesh.degree == 3)
+        result.triangles = mesh.faces;
+    for (std::size_t f = 0; mesh.degree == 0 and f < mesh.faces; ++f)
+        result.triangles += mesh.first_corner(f + 1) - mesh.first_corner(f) == 3;
     if (mesh.is_closed())
         return result;
     for (std::size_t e = 0; e < mesh.edges(); ++e) {

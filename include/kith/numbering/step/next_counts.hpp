@@ -89,6 +89,22 @@ struct counted_columns<List<C...>> {
                 return count_picked(column.where, tuples, c, generation);
             });
     }
+    /// Returns how many of the new faces have three corners, given their numbers. Faces whose degree the columns do not
+    /// know are left out.
+    static std::uint64_t count_triangles(const auto& numbers, const counts& c)
+    {
+        std::uint64_t result = 0;
+        std::size_t i = 0;
+        const auto add = [&]<tuple_kind K, class W, class D>(const column<K, W, D>*) {
+            if constexpr (fixed_degree_of<D> == 3)
+                result += numbers.count(i);
+            else if constexpr (std::same_as<D, same_degree>)
+                result += c.triangles;
+            ++i;
+        };
+        (add(static_cast<const C*>(nullptr)), ...);
+        return result;
+    }
 };
 
 } // namespace detail
@@ -121,6 +137,7 @@ counts next_counts(const Columns& columns, const counts& c, int generation)
                         .total();
     next.edges = detail::counted_columns<decltype(Columns::edges)>::count(columns.edges, c, generation).total();
     next.faces = faces.total();
+    next.triangles = detail::counted_columns<decltype(Columns::faces)>::count_triangles(faces, c);
     if constexpr (not Closed and not std::invocable<decltype(Columns::boundary), const counts&>)
         // More corners than sides are a fault of the scheme, which the step itself will name.
         next.boundary_edges = std::max(2 * next.edges, faces.total_corners()) - faces.total_corners();
