@@ -13,6 +13,7 @@
 #include "loop.hpp"
 #include "mid_edge.hpp"
 #include "nasri_hasbini.hpp"
+#include "quad_tri.hpp"
 #include "registry.hpp"
 #include "sqrt3.hpp"
 #include "tri_quad.hpp"

@@ -6,6 +6,7 @@
 #include <kith/core/base/error.hpp>
 #include <kith/fields/field.hpp>
 #include <kith/schemes/seam/varied_level.hpp>
+#include <kith/schemes/split/quad_triangle_split.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -26,14 +27,15 @@ concept is_linear = std::derived_from<Scheme, linear> or std::derived_from<Schem
 template <class Scheme>
 concept has_seam_rules = scheme_with_sharp_rules<Scheme> and requires(const Scheme& scheme) {
     requires std::same_as<decltype(columns_of(scheme, 0)), decltype(quad_split::columns())> or
-                 std::same_as<decltype(columns_of(scheme, 0)), decltype(triangle_split::columns())>;
+                 std::same_as<decltype(columns_of(scheme, 0)), decltype(triangle_split::columns())> or
+                 std::same_as<decltype(columns_of(scheme, 0)), decltype(quad_triangle_split::columns())>;
 };
 
 } // namespace detail
 
 /// The rule of values at corners that are as smooth as the surface between their seams: on_corners(uv,
-/// face_varying{linear}). It is for Catmull-Clark and Loop with their creases. A seam is an edge whose two faces have
-/// different values at one of its ends. Seams are found once, in the first step, by ==. `linear` says where values stay
+/// face_varying{linear}). It is for schemes with creases. A seam is an edge whose two faces have different
+/// values at one of its ends. Seams are found once, in the first step, by ==. `linear` says where values stay
 /// linear at seams. face_varying_linear::all is linear_in_faces and goes with any scheme; for the linear schemes every
 /// choice is. At all corners of one new vertex between the same seams the values have the same bits. Source:
 /// OpenSubdiv's face-varying interpolation, DeRose, Kass & Truong 1998, section 4; docs/schemes.md. Errors: mesh_error
@@ -61,7 +63,7 @@ struct face_varying {
                                    .find();
             return next(values, {found.data(), found.size()}, step);
         }
-        throw mesh_error("values at corners go along seams with Catmull-Clark and Loop, and not with " +
+        throw mesh_error("values at corners go along seams with schemes that have creases, and not with " +
                          std::string(scheme_name<scheme_type>()) + "; take face_varying_linear::all");
     }
 

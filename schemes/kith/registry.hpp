@@ -9,6 +9,7 @@
 #define KITH_SCHEMES(line)                                                                                             \
     line(catmull_clark, catmull_clark, floats, "Catmull & Clark 1978")                                                 \
     line(loop, loop, floats, "Loop 1987; boundary Hoppe et al. 1994")                                                  \
+    line(quad_tri, quad_tri, floats, "Stam & Loop 2003")                                                               \
     line(doo_sabin, doo_sabin, floats, "Doo & Sabin 1978")                                                             \
     line(sqrt3, sqrt3, floats, "Kobbelt 2000")                                                                         \
     line(interpolatory_sqrt3, interpolatory_sqrt3, floats, "Labsik & Greiner 2000")                                    \

@@ -14,6 +14,7 @@
 #include "mid_edge.hpp"
 #include "nasri_hasbini.hpp"
 #include "presets.hpp"
+#include "quad_tri.hpp"
 #include "selected.hpp"
 #include "sqrt3.hpp"
 #include "tri_quad.hpp"

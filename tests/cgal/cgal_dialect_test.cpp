@@ -96,6 +96,8 @@ void for_each_function(const Test& test)
     test([](auto& m, int n) { ours::FourEight_subdivision(m, n); }, kith::four_eight(), open);
     test([](auto& m, int n) { ours::FourEight_subdivision(m, n); }, kith::four_eight(), shapes::grid());
     test([](auto& m, int n) { ours::FourEight_subdivision(m, n); }, kith::four_eight(), triangles);
+    test([](auto& m, int n) { ours::QuadTri_subdivision(m, n); }, kith::quad_tri(), open);
+    test([](auto& m, int n) { ours::QuadTri_subdivision(m, n); }, kith::quad_tri(), closed);
     test([](auto& m, int n) { ours::NasriHasbini_subdivision(m, n); }, kith::nasri_hasbini(), open);
     test([](auto& m, int n) { ours::MidEdge_subdivision(m, n); }, kith::mid_edge(), closed);
     test([](auto& m, int n) { ours::Unified_subdivision(m, 4, n); }, kith::unified{.degree = 4}, closed);

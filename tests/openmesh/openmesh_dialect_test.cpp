@@ -244,6 +244,7 @@ TEST(openmesh_dialect, carries_everything)
     expect_native_bits<ours::LinearTrianglesT<tri_mesh>>(make<tri_mesh>(shapes::umbrella(7)));
     expect_native_bits<ours::MidpointT<poly_mesh>>(make<poly_mesh>(shapes::cube()));
     expect_native_bits<ours::KobbeltT<poly_mesh>>(make<poly_mesh>(shapes::grid()));
+    expect_native_bits<ours::QuadTriT<poly_mesh>>(make<poly_mesh>(shapes::open_house()));
     expect_native_bits<ours::NasriHasbiniT<poly_mesh>>(make<poly_mesh>(shapes::open_house()));
     expect_native_bits<ours::UnifiedT<poly_mesh>>(make<poly_mesh>(shapes::cube()));
     expect_native_bits<ours::LinearT<poly_mesh>>(make<poly_mesh>(shapes::open_house()));

@@ -53,8 +53,9 @@ TEST(registry, has_a_page_of_each_scheme)
 
 TEST(registry, has_tests_and_golden_vectors_of_each_scheme)
 {
-    // Tests and compare_openmesh compare the numbers of this scheme with those of OpenMesh.
-    const std::set<std::string> without_vectors{"interpolatory_sqrt3"};
+    // Tests and compare_openmesh compare interpolatory_sqrt3 with OpenMesh. The test of quad_tri evaluates it in
+    // another way.
+    const std::set<std::string> without_vectors{"interpolatory_sqrt3", "quad_tri"};
     for_each_registered([&](const auto*, const std::string& header) {
         EXPECT_TRUE(std::filesystem::exists(test_dir / "schemes" / (header + "_test.cpp"))) << header;
         bool has_vectors = false;
@@ -70,7 +71,7 @@ TEST(registry, lists_each_scheme_once)
     std::apply([&]<class... Scheme>(const Scheme&...) { (names.insert(kith::scheme_name<Scheme>()), ...); },
                kith::all_schemes());
     EXPECT_EQ(names.size(), std::tuple_size_v<kith::all_schemes>);
-    EXPECT_EQ(names.size(), 13);
+    EXPECT_EQ(names.size(), 14);
 }
 
 } // namespace

@@ -56,6 +56,7 @@ void for_each_other_scheme_and_shape(const Test& test)
         const auto mesh = native(shape);
         run(kith::linear{}, mesh);
         run(kith::nasri_hasbini{}, mesh);
+        run(kith::quad_tri{}, mesh);
         if (name != "valence two") // mid-edge would make a face with two corners there
             run(kith::mid_edge{}, mesh);
         run(kith::four_eight{}, kith::tri_quad(mesh));

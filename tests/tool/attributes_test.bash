@@ -268,7 +268,7 @@ exits 0
 same out.obj linear.obj
 run refine charts.obj -s doo-sabin -n 1 -o out.obj --uv none
 exits 2
-says '^kith: --uv: only catmull-clark and loop have rules for seams of texture coordinates; leave it out, or use all$'
+says '^kith: --uv: only catmull-clark, loop and quad-tri have rules for seams of texture coordinates; leave it out, or use all$'
 run refine charts.obj -s doo-sabin -n 1 -o out.obj --uv all
 exits 0
 run refine charts.obj -s loop -n 1 -o out.obj --uv round

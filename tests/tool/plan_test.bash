@@ -168,7 +168,7 @@ run refine cube.off -s linear -n 0 -o cube.obj
 (cat cube.obj; echo; echo 't hole 1/0/0 1') >holes.obj
 run plan creased.obj -s doo-sabin -n 2
 exits 1
-says 'doo-sabin has no rules for the creases, corners or holes of the file; only catmull-clark and loop have them; use one of these, or --ignore-tags'
+says 'doo-sabin has no rules for the creases, corners or holes of the file; only catmull-clark, loop and quad-tri have them; use one of these, or --ignore-tags'
 run plan creased.obj -s doo-sabin -n 2 --ignore-tags
 exits 0
 run plan holes.obj -s catmull-clark -n 2

@@ -175,7 +175,7 @@ run refine creased.obj -s catmull-clark -n 3 -o corner.off
 check "the vertex stays" at 4 corner.off -1 -1 -1
 run refine creased.obj -s doo-sabin -n 1 -o refused.off
 exits 1
-says 'doo-sabin has no rules for the creases, corners or holes of the file; only catmull-clark and loop have them; use one of these, or --ignore-tags'
+says 'doo-sabin has no rules for the creases, corners or holes of the file; only catmull-clark, loop and quad-tri have them; use one of these, or --ignore-tags'
 check "no output file" test ! -e refused.off
 run refine creased.obj -s doo-sabin -n 1 -o ignored.off --ignore-tags
 exits 0

@@ -69,7 +69,7 @@ exits 0
 says "texture coordinates, the property 'level' of faces$"
 run refine charts.obj -s kobbelt -n 1 -o out.ply --uv none --tiles 2
 exits 2
-says '^kith: --uv: only catmull-clark and loop have rules for seams'
+says '^kith: --uv: only catmull-clark, loop and quad-tri have rules for seams'
 sed '$s/\/[0-9]*//g' charts.obj >partly.obj # the last face has no texture
 run refine partly.obj -s catmull-clark -n 1 -o out.ply --tiles 2 --binary
 exits 0

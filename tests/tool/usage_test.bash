@@ -69,8 +69,8 @@ wrong 'kobbelt has no such option' refine cube.off -s kobbelt -n 1 -o out.off --
 wrong "'cosine' is not one of loop, warren" refine cube.off -s loop -n 1 -o out.off --weights cosine
 wrong "'round' is not one of kept, smoothed" refine cube.off -s loop -n 1 -o out.off --boundary-corners round
 wrong "'blender' is not one of native, cgal, openmesh" refine cube.off -s catmull-clark -n 1 -o out.off --mesh blender
-wrong 'doo-sabin has no creases; only catmull-clark and loop have them' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
-wrong 'catmull-clark and loop have' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
+wrong 'doo-sabin has no creases; only catmull-clark, loop and quad-tri have them' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
+wrong 'catmull-clark, loop and quad-tri have' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
 wrong 'needs --crease-angle, which selects the edges' refine cube.off -s loop -n 1 -o out.off --crease-sharpness 2
 wrong 'is not 0 or more' refine cube.off -s loop -n 1 -o out.off --crease-angle 30 --crease-sharpness -1
 wrong 'is not 0 or more' refine cube.off -s loop -n 1 -o out.off --crease-angle 30 --crease-sharpness nan

@@ -87,7 +87,8 @@ planned_ranks plan_ranks(const tile_request& request, const partition& parts, st
             if constexpr (reaching_scheme<Scheme>)
                 return plan_by(with_fields(scheme, request.attributes), request, parts, ranks);
             else
-                throw usage_error("--ranks: " + not_in_tiles(scheme_name<Scheme>()) + "; plan without ranks");
+                throw usage_error("--ranks: " + not_in_tiles(scheme_name<Scheme>(), needs_closed<Scheme>) +
+                                  "; plan without ranks");
         },
         request.scheme);
 }

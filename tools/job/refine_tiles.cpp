@@ -175,7 +175,7 @@ void require_reach(const tile_request& request)
 {
     const auto check = []<class Scheme>(const Scheme&) {
         if constexpr (not reaching_scheme<Scheme>)
-            throw usage_error(not_in_tiles(scheme_name<Scheme>()) +
+            throw usage_error(not_in_tiles(scheme_name<Scheme>(), needs_closed<Scheme>) +
                               "; leave out --tiles and write .off, .obj, .ply or .stl");
     };
     std::visit(check, request.scheme);

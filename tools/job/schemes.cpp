@@ -20,15 +20,15 @@ namespace kith::tool {
 
 std::string schemes_with_creases()
 {
-    std::string result;
+    std::vector<std::string> names;
     std::apply(
         [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
-            ((scheme_with_creases<Schemes>
-                  ? void(result += (result.empty() ? "" : " and ") + std::string(scheme_name<Schemes>()))
-                  : void()),
-             ...);
+            ((scheme_with_creases<Schemes> ? void(names.emplace_back(scheme_name<Schemes>())) : void()), ...);
         },
         known_schemes);
+    std::string result;
+    for (const std::string& name : names)
+        result += (result.empty() ? "" : name == names.back() ? " and " : ", ") + name;
     return result;
 }
 
@@ -317,9 +317,11 @@ std::vector<std::string_view> schemes_that_take(const control_mesh& control)
     return result;
 }
 
-std::string not_in_tiles(std::string_view scheme)
+std::string not_in_tiles(std::string_view scheme, bool is_closed_only)
 {
-    return std::string(scheme) + " is not refined in tiles: it takes closed meshes only, and a tile has a boundary";
+    return std::string(scheme) + " is not refined in tiles: " +
+           (is_closed_only ? "it takes closed meshes only, and a tile has a boundary"
+                           : "a tile does not know how many triangles come before its own");
 }
 
 } // namespace kith::tool

@@ -81,7 +81,7 @@ sharp_elements sharp_after(const any_scheme& scheme, int levels);
 /// lost.
 void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels);
 
-/// Returns the names of the schemes with creases: "catmull-clark and loop".
+/// Returns the names of the schemes with creases: "catmull-clark, loop and quad-tri".
 std::string schemes_with_creases();
 
 /// Returns true if texture coordinates need not be linear in faces, which holds for schemes with creases. It also holds
@@ -126,6 +126,6 @@ std::string scheme_names();
 std::vector<std::string_view> schemes_that_take(const control_mesh& control);
 
 /// Returns the message on a scheme that is not refined in tiles: "unified is not refined in tiles: ...".
-std::string not_in_tiles(std::string_view scheme);
+std::string not_in_tiles(std::string_view scheme, bool is_closed_only);
 
 } // namespace kith::tool

@@ -358,7 +358,8 @@ void refine_ranks(mpi::communicator& comm, rank_request& request)
                     ? refine_slices(comm, request, scheme, seconds)
                     : refine_by(comm, request, with_fields(scheme, request.what.attributes), std::move(kept), seconds);
             else
-                throw usage_error(not_in_tiles(kith::scheme_name<Scheme>()) + "; use kith refine"); // on all ranks
+                throw usage_error(not_in_tiles(kith::scheme_name<Scheme>(), kith::needs_closed<Scheme>) +
+                                  "; use kith refine"); // on all ranks
         },
         request.what.scheme);
 }

@@ -7,6 +7,7 @@
 #include <kith/in_place/split_with_creases.hpp>
 #include <kith/kobbelt.hpp>
 #include <kith/presets.hpp>
+#include <kith/quad_tri.hpp>
 
 namespace kith::cgal {
 
@@ -103,6 +104,14 @@ property_report FourEight_subdivision(Graph& pmesh, const Np& np = CGAL::paramet
                                       const Argument&... arguments)
 {
     return subdivision(pmesh, four_eight(), np, arguments...);
+}
+
+/// Subdivides by the quad-triangle scheme of Stam and Loop.
+template <class Graph, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
+property_report QuadTri_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values(),
+                                    const Argument&... arguments)
+{
+    return subdivision(pmesh, quad_tri(), np, arguments...);
 }
 
 /// Subdivides by the ternary scheme of Nasri and Hasbini.

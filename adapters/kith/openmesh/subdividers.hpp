@@ -6,6 +6,7 @@
 
 #include <kith/in_place/compiled.hpp>
 #include <kith/presets.hpp>
+#include <kith/quad_tri.hpp>
 
 #include <concepts>
 #include <type_traits>
@@ -91,6 +92,10 @@ using KobbeltT = detail::as_kith<Mesh, RealType, kobbelt>;
 /// Exceptions are meshes whose triangles agree on their first edges, as they do after an earlier call.
 template <subdividable_mesh Mesh, class RealType = double>
 using FourEightT = detail::as_kith<Mesh, RealType, four_eight>;
+
+/// Stam and Loop's quad-triangle scheme.
+template <subdividable_mesh Mesh, class RealType = double>
+using QuadTriT = detail::as_kith<Mesh, RealType, quad_tri>;
 
 /// Nasri and Hasbini's ternary scheme.
 template <subdividable_mesh Mesh, class RealType = double>

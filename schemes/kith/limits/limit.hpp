@@ -16,6 +16,7 @@
 #include <kith/limits/rules/loop.hpp>
 #include <kith/limits/rules/mid_edge.hpp>
 #include <kith/limits/rules/nasri_hasbini.hpp>
+#include <kith/limits/rules/quad_tri.hpp>
 #include <kith/limits/rules/sqrt3.hpp>
 #include <kith/limits/rules/unified.hpp>
 #include <kith/schemes/kernel/limit_rules.hpp>

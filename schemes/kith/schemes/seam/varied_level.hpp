@@ -91,7 +91,7 @@ private:
     /// Returns the corner before an edge in the old face that gave birth to a new one.
     [[nodiscard]] corner<view_type> side(const tuple& face, std::size_t edge) const
     {
-        if (face.first == tuple_kind::vf) {
+        if (face.first != tuple_kind::f) {
             const auto c = view_.corners()[face.second];
             return c.halfedge() / 2 == edge ? c : c.prev();
         }

@@ -27,12 +27,13 @@ namespace detail {
 
 /// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one
 /// of two corners there. If both faces are triangles, they are back to back. Schemes that split triangles would then
-/// make two edges with the same ends, at every level, which no list of faces can distinguish. No step makes such
-/// vertices if there are none, so it is enough to check a mesh before the first step. Cost: O(vertices).
+/// make two edges with the same ends, at every level, which no list of faces can distinguish. With
+/// face_shape::triangles, only these vertices are refused. No step makes such vertices if there are none, so it is
+/// enough to check a mesh before the first step. Cost: O(vertices).
 template <scheme Scheme, level Level>
-void require_three_faces(const Level& coarse)
+void require_three_faces(const Level& coarse, face_shape refused = face_shape::any)
 {
-    for_each_by_number(coarse.vertices(), [&coarse](const auto& v) {
+    for_each_by_number(coarse.vertices(), [&coarse, refused](const auto& v) {
         const auto first = v.first_corner(), before = first.prev();
         if (first.is_boundary() or before.is_boundary())
             return;
@@ -40,7 +41,8 @@ void require_three_faces(const Level& coarse)
         if (not(first.across().next() == second)) // the neighbours in the fan, clockwise and counter-clockwise
             return;
         const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
-        detail::refuse_two_faces(scheme_name<Scheme>(), number_in_mesh(coarse, v), triangles);
+        if (triangles or refused == face_shape::any)
+            detail::refuse_two_faces(scheme_name<Scheme>(), number_in_mesh(coarse, v), triangles);
     });
 }
 
