@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,21 @@ TEST(pack, comes_out_as_it_went_in)
     for (std::size_t v = 0; v < job.part.mesh.vertex_count(); ++v)
         EXPECT_EQ(other.part.mesh.point(v), job.part.mesh.point(v));
     EXPECT_EQ(other.scheme.sharpness.vertices(), job.scheme.sharpness.vertices());
+}
+
+TEST(pack, keeps_the_normals_of_vertices_and_corners)
+{
+    auto job = a_job();
+    job.part.normals = kith::storage<shapes::point>(job.part.mesh.vertex_count());
+    job.part.corner_normals = kith::storage<shapes::point>(job.part.mesh.corner_count());
+    for (auto* normals : {&job.part.normals, &job.part.corner_normals})
+        for (std::size_t i = 0; i < normals->size(); ++i)
+            (*normals)[i] = {double(i), 0, 1};
+    const auto other = sent(job);
+    EXPECT_TRUE(std::ranges::equal(other.part.normals, job.part.normals));
+    EXPECT_TRUE(std::ranges::equal(other.part.corner_normals, job.part.corner_normals));
+    job.part.corner_normals = kith::storage<shapes::point>(3);
+    EXPECT_EQ(refusal(job), refusal_because("has more or fewer normals of corners than corners"));
 }
 
 TEST(pack, notices_damage)

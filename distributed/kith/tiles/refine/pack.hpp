@@ -121,7 +121,7 @@ constexpr std::uint64_t kind_of_bytes(std::uint64_t format, std::uint64_t versio
     return format << 32 | version << 16 | sizeof(Point) << 8 | sizeof(Index);
 }
 template <class Point, std::unsigned_integral Index>
-inline constexpr std::uint64_t kind_of_message = kind_of_bytes<Point, Index>(0x6b697468, 4);
+inline constexpr std::uint64_t kind_of_message = kind_of_bytes<Point, Index>(0x6b697468, 5);
 
 template <class State>
 constexpr bool can_be_packed()
@@ -212,6 +212,7 @@ void for_each_array_of_tile(Tile& part, const F& f)
     f(part.root_of), f(part.vertex_ids), f(part.edge_ids), f(part.face_ids);
     f(part.first_corner_ids), f(part.corners_before), f(part.marked_before), f(part.roots);
     f(part.vertex_marks), f(part.edge_marks), f(part.face_marks), f(part.normals);
+    f(part.corner_normals);
 }
 
 } // namespace detail
@@ -257,6 +258,8 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     const char* fault = detail::fault_of_tile(mesh.topology, mesh.points.size(), part);
     if (fault == nullptr and not part.normals.empty() and part.normals.size() != mesh.points.size())
         fault = "has more or fewer normals than vertices";
+    if (fault == nullptr and not part.corner_normals.empty() and part.corner_normals.size() != mesh.topology.corners())
+        fault = "has more or fewer normals of corners than corners";
     if (fault != nullptr)
         throw pack_error(std::string("a message holds a tile that ") + fault + "; its sender is at fault");
     part.mesh = {std::move(mesh.points), std::move(mesh.topology), mesh.generation};
