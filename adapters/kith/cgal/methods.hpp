@@ -24,7 +24,7 @@ property_report subdivide(Graph& pmesh, const Scheme& scheme, const Np& np, cons
             in_place::split_with_creases<Linear> split;
             return refine(graph_of(pmesh), split, np, arguments...);
         }
-        return cgal::subdivision(pmesh, scheme, np, arguments...);
+        return refine(graph_of(pmesh), scheme, np, arguments...);
     } else {
         return cgal::subdivision(pmesh, scheme, np, arguments...);
     }

@@ -292,6 +292,10 @@ property_report subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::pa
         static_assert(scheme_with_creases<Scheme> or not detail::has_sharp_elements<Np>,
                       "kith::cgal: Catmull-Clark and Loop have creases, this scheme has none; leave out the maps of "
                       "constrained edges, constrained vertices and sharpness");
+        static_assert(
+            not detail::is_given<Np, parameters::do_not_modify_geometry_t>,
+            "kith::cgal: only CatmullClark_subdivision and Loop_subdivision take do_not_modify_geometry; leave "
+            "it out, or call Linear_subdivision or LinearTriangles_subdivision");
         return detail::refine(detail::graph_of(pmesh), scheme, np, arguments...);
     }
 }
