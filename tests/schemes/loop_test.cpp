@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace {
 
 exact_mesh once(const shapes::shape& s, const kith::loop& scheme = {})
@@ -51,6 +53,11 @@ TEST(loop, an_edge_of_the_tetrahedron_goes_to_a_half)
 {
     const auto edge = edge_number(exact(shapes::tetrahedron()), 0, 1); // 3/8 (2, 0, 0) + 1/8 (-2, 0, 0)
     EXPECT_EQ(once(shapes::tetrahedron()).point(4 + edge), (exact_point{rational(1, 2), 0, 0}));
+}
+
+TEST(loop, an_edge_that_is_missing_has_no_number)
+{
+    EXPECT_THROW(edge_number(exact(shapes::grid()), 0, 6), std::invalid_argument);
 }
 
 TEST(loop, the_boundary_is_a_cubic_curve)
