@@ -42,7 +42,8 @@ public:
         std::uint64_t size = 0;
         std::memcpy(&size, bytes_.data() + offset, sizeof size);
         std::vector<T> result(size / sizeof(T));
-        std::memcpy(result.data(), bytes_.data() + offset + sizeof size, size);
+        if (size != 0)
+            std::memcpy(result.data(), bytes_.data() + offset + sizeof size, size);
         return result;
     }
 
