@@ -52,7 +52,9 @@ view_axes axes_of(const view& v)
 {
     require(0 <= v.up and v.up < 3, "`up` of a view is 0, 1 or 2");
     const double azimuth = v.azimuth * std::numbers::pi / 180, elevation = v.elevation * std::numbers::pi / 180;
-    const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation), se = std::sin(elevation);
+    const auto exact = [](double x) { return std::abs(x) < 1e-15 ? 0 : x; }; // of a right angle
+    const double ca = exact(std::cos(azimuth)), sa = exact(std::sin(azimuth));
+    const double ce = exact(std::cos(elevation)), se = exact(std::sin(elevation));
     const view_axes z_up{{{ca, sa, 0}, {-sa * se, ca * se, ce}, {sa * ce, -ca * ce, se}}}; // x is to the right
     view_axes result{};
     // For y upward, the viewer in front stands at +z; for x upward, at -z.
@@ -214,7 +216,7 @@ brightness brightness_of(shading light, const point& normal)
         double shine = std::max(dot(normal, halfway), 0.); // to the power of 32
         for (int i = 0; i < 5; ++i)
             shine *= shine;
-        return {float(.38 + .62 * facing), float(.16 * shine)};
+        return {float(.5 + .5 * facing), float(.16 * shine)};
     }
     // The direction from which the viewer sees light, and its place on a ceiling of parallel lamps.
     const double across = 2 * normal[2] * normal[0], upward = 2 * normal[2] * normal[1];

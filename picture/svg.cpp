@@ -4,6 +4,7 @@
 #include <kith/picture.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -14,33 +15,50 @@ namespace kith::picture {
 
 namespace {
 
-/// A part of a picture that is painted over those that lie farther from the viewer.
+/// A part of a picture that is painted over those that lie farther from the viewer: a polygon, as an element, or a
+/// line, as a part of a path. Parts of one style that follow each other are written together.
 struct painted {
     double depth;
+    bool is_line;
+    std::string style; ///< attributes
     std::string text;
 };
 
-/// Returns a number with one digit after the point.
-std::string number(double x)
+void write(std::ostream& out, std::span<const painted> parts)
 {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.1f", std::round(10 * x) / 10 + 0.); // no -0
-    std::string result = text;
-    if (result.ends_with(".0"))
-        result.resize(result.size() - 2);
+    for (std::size_t i = 0; i < parts.size();) {
+        const painted& first = parts[i];
+        out << (first.is_line ? "<path" : "<g") << first.style << (first.is_line ? " d='" : ">\n");
+        for (; i < parts.size() and parts[i].is_line == first.is_line and parts[i].style == first.style; ++i)
+            out << parts[i].text;
+        out << (first.is_line ? "'/>\n" : "</g>\n");
+    }
+}
+
+/// Returns a number with so many digits after the point, but without zeros at its end.
+std::string number(double x, int digits = 1)
+{
+    const double unit = std::pow(10., digits);
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, std::round(unit * x) / unit + 0.); // no -0
+    std::string result = text.data();
+    while (result.ends_with('0'))
+        result.pop_back();
+    if (result.ends_with('.'))
+        result.pop_back();
     return result;
 }
 
 std::string hexadecimal(const color& paint)
 {
     const auto byte = [](float x) { return unsigned(std::lround(255 * std::clamp(x, 0.F, 1.F))); };
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(paint.red), byte(paint.green), byte(paint.blue));
-    return text;
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(paint.red), byte(paint.green), byte(paint.blue));
+    return text.data();
 }
 std::string opacity(const char* name, const color& paint)
 {
-    return paint.opacity == 1 ? "" : " " + std::string(name) + "='" + number(paint.opacity) + "'";
+    return paint.opacity == 1 ? "" : " " + std::string(name) + "='" + number(paint.opacity, 2) + "'";
 }
 
 std::string escaped(const std::string& text)
@@ -104,16 +122,19 @@ double paint(std::vector<painted>& out, const surface& s, const layout& places, 
                 x = -x;
         const color& own = s.face_colors.empty() ? s.paint : s.face_colors[f];
         const color fill = lit(s.vertex_colors.empty() ? own : mixed, brightness_of(s.light, normal));
-        std::string path = "<path fill='" + hexadecimal(fill) + "'" + opacity("fill-opacity", fill);
+        std::string style, path = "<path fill='" + hexadecimal(fill) + "'";
         if (s.edges.width > 0)
-            path += " stroke='" + hexadecimal(s.edges.ink) + "' stroke-width='" + number(s.edges.width) + "'";
-        else if (fill.opacity == 1) // no background between neighbours
-            path += " stroke='" + hexadecimal(fill) + "' stroke-width='.5'";
+            style = " stroke='" + hexadecimal(s.edges.ink) + "' stroke-width='" + number(s.edges.width) + "'";
+        else if (fill.opacity == 1) { // else the background is seen between neighbours
+            style = " stroke-width='.5'";
+            path += " stroke='" + hexadecimal(fill) + "'";
+        }
+        style += opacity("fill-opacity", fill);
         path += " d='M";
         for (const point& p : corners)
             path += number(p[0]) + ' ' + number(p[1]) + ' ';
         path += "z'/>\n";
-        out.push_back({middle[2], std::move(path)});
+        out.push_back({middle[2], false, style, std::move(path)});
         const auto depth_of = [](const point& p) { return p[2]; };
         reach += 2 * (depth_of(std::ranges::max(corners, {}, depth_of)) - middle[2]) / double(s.face_count());
     }
@@ -141,8 +162,9 @@ void paint(std::vector<painted>& out, const lines& l, const layout& places, std:
             };
             const point p = at(double(i) / double(pieces)), q = at(double(i + 1) / double(pieces));
             out.push_back({std::max(p[2], q[2]) + reach,
-                           "<path" + style + " d='M" + number(p[0]) + ' ' + number(p[1]) + 'L' + number(q[0]) + ' ' +
-                               number(q[1]) + "'/>\n"});
+                           true,
+                           style,
+                           'M' + number(p[0]) + ' ' + number(p[1]) + 'L' + number(q[0]) + ' ' + number(q[1])});
         }
     }
 }
@@ -168,8 +190,7 @@ void write_svg(std::ostream& out, const sheet& sheet)
             if (const auto* const of_lines = std::get_if<lines>(&item))
                 paint(parts, *of_lines, places, i, reach);
         std::ranges::stable_sort(parts, {}, &painted::depth);
-        for (const painted& part : parts)
-            out << part.text;
+        write(out, parts);
     }
     std::size_t number_of_bar = 0;
     for (const placed_bar& bar : places.bars()) {

@@ -133,10 +133,10 @@ TEST(picture, a_sphere_is_lit_smoothly_and_the_same_on_all_sides)
 {
     sheet s = from_the_front({{.items = {sphere(40, true)}}}, 200, 200, 2);
     const image front = draw(s);
-    // The lamp is in the direction (-.45, .65, .75): .62 of its share of the normal, and .38 of everywhere.
+    // The lamp is in the direction (-.45, .65, .75): half of the light; the other half is everywhere.
     const double facing = .75 / std::sqrt(.45 * .45 + .65 * .65 + .75 * .75);
     const double half = std::sqrt((1 + facing) / 2); // cosine between the normal and the direction halfway to the lamp
-    const double expected = 255 * (.5 * (.38 + .62 * facing) + .16 * std::pow(half, 32));
+    const double expected = 255 * (.5 * (.5 + .5 * facing) + .16 * std::pow(half, 32));
     EXPECT_NEAR(front.at(100, 100)[0], expected, 1.5);
     EXPECT_GT(front.at(60, 50)[0], front.at(140, 150)[0]); // light from the upper left
     s.view = {90, 0};

@@ -207,7 +207,8 @@ pictured_surface curvature_in_picture(const pictured_job& job)
     const auto made = tessellate_with(job.scheme, "picture: --color", mesh, {.segments = segments});
     const auto at = locate_with(job.scheme, "picture: --color", mesh, made.places);
     pictured_surface result{picture::surface_of(made.mesh), {}, {}};
-    result.shape.normals.assign(made.normals.begin(), made.normals.end());
+    if (not has_sides(job.scheme)) // a vertex on a sharp edge has the normal of one side
+        result.shape.normals.assign(made.normals.begin(), made.normals.end());
     result.shape.closed = hides_backs(job.control);
     result.parents.assign(made.faces.begin(), made.faces.end());
     const auto curvatures = curvatures_of(at.evaluate(mesh.points(), derivatives::second));
