@@ -9,12 +9,13 @@
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
 #include <kith/nasri_hasbini.hpp>
+#include <kith/picture.hpp>
 #include <kith/refine_in_tiles.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -25,9 +26,16 @@ namespace {
 using point = std::array<double, 3>;
 using mesh = kith::basic_mesh<point>;
 using kind = kith::tuple_kind;
+using kith::picture::color;
 
-constexpr const char* old_color = "#c2410c"; // of the tuple
-constexpr const char* new_color = "#0f766e"; // of the elements that it makes
+constexpr color old_color{.76F, .25F, .05F}; // of the tuple
+constexpr color new_color{.06F, .46F, .43F}; // of the elements that it makes
+
+/// Returns a gray of this brightness, between 0 and 1.
+constexpr color gray(float brightness)
+{
+    return {brightness, brightness, brightness};
+}
 
 /// A scheme: each quad gets a vertex made from two opposite vertices, which share no edge, and four triangles.
 struct diagonals {
@@ -87,71 +95,69 @@ mesh flower()
     return kith::make_mesh(points, faces);
 }
 
-/// An SVG picture that consists of panels of equal size.
-class picture {
+/// Panels of equal size, with meshes in the plane.
+class drawing {
 public:
-    picture(const std::string& file, int columns, int rows) : out_(file)
+    drawing(int columns, int rows)
+        : sheet_{.view = {0, 90},
+                 .width = columns * side,
+                 .height = rows * (side + 30),
+                 .columns = columns,
+                 .text_size = 14}
     {
-        const int width = columns * side, height = rows * (side + 30);
-        out_ << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << width << ' ' << height
-             << "' font-family='sans-serif' font-size='14' stroke-linejoin='round' stroke-linecap='round'>\n<rect "
-                "width='"
-             << width << "' height='" << height << "' fill='white'/>\n";
     }
-    ~picture() { out_ << "</svg>\n"; }
 
-    /// Goes to the next panel. `extent` is the width of its drawing in the coordinates of the mesh.
-    void panel(int column, int row, double extent, const std::string& title, const std::string& subtitle = {})
+    /// Begins the next panel.
+    void panel(const std::string& title) { sheet_.panels.push_back({.title = title}); }
+    void line(const point& a, const point& b, const color& ink, double width)
     {
-        left_ = column * side + 15;
-        top_ = row * (side + 30) + 40;
-        scale_ = (side - 30) / extent;
-        out_ << "<text x='" << left_ << "' y='" << top_ - 20 << "'><tspan font-weight='bold'>" << title << "</tspan> "
-             << subtitle << "</text>\n";
+        add(kith::picture::lines{.points = {a, b}, .segments = {{0, 1}}, .ink = ink, .width = width});
     }
-    void line(const point& a, const point& b, const std::string& color, double width)
-    {
-        out_ << "<path stroke='" << color << "' stroke-width='" << width << "' d='M" << at(a) << 'L' << at(b)
-             << "'/>\n";
-    }
-    void dot(const point& p, const std::string& color, double radius)
-    {
-        out_ << "<circle fill='" << color << "' r='" << radius << "' cx='" << x(p) << "' cy='" << y(p) << "'/>\n";
-    }
+    void dot(const point& p, const color& ink, double radius) { line(p, p, ink, 2 * radius); }
     template <class Face>
-    void fill(const Face& f, const std::string& color, double opacity)
+    void fill(const Face& f, color paint, float opacity)
     {
-        out_ << "<path fill='" << color << "' fill-opacity='" << opacity << "' d='M";
-        for (const auto& v : f.vertices())
-            out_ << at(v.point()) << ' ';
-        out_ << "z'/>\n";
+        paint.opacity = opacity;
+        kith::picture::surface polygon{.paint = paint, .light = kith::picture::shading::none};
+        for (const auto& v : f.vertices()) {
+            polygon.corners.push_back(std::uint32_t(polygon.points.size()));
+            polygon.points.push_back(v.point());
+        }
+        polygon.first.push_back(std::uint32_t(polygon.points.size()));
+        add(polygon);
     }
+    /// Draws the edges of a level at a height; what is higher covers them.
     template <class Level>
-    void edges(const Level& level, const std::string& color, double width)
+    void edges(const Level& level, const color& ink, double width, double height = 0)
     {
-        for (const auto& e : level.edges())
-            line(e.org().point(), e.dst().point(), color, width);
+        kith::picture::lines all{.ink = ink, .width = width};
+        for (const auto& e : level.edges()) {
+            const auto first = std::uint32_t(all.points.size());
+            for (point p : {e.org().point(), e.dst().point()}) {
+                p[2] = height;
+                all.points.push_back(p);
+            }
+            all.segments.push_back({first, first + 1});
+        }
+        add(all);
     }
     template <class Edge>
-    void edge(const Edge& e, const std::string& color)
+    void edge(const Edge& e, const color& ink)
     {
-        line(e.org().point(), e.dst().point(), color, 5);
+        line(e.org().point(), e.dst().point(), ink, 5);
+    }
+    void write(const std::string& file) const
+    {
+        std::ofstream out(file);
+        kith::picture::write_svg(out, sheet_);
     }
 
 private:
-    static constexpr int side = 230;
+    static constexpr int side = 230; // of a panel, in pixels
 
-    [[nodiscard]] double x(const point& p) const { return std::round(10 * (left_ + scale_ * p[0])) / 10; }
-    [[nodiscard]] double y(const point& p) const { return std::round(10 * (top_ + side - 45 - scale_ * p[1])) / 10; }
-    [[nodiscard]] std::string at(const point& p) const
-    {
-        std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), "%.1f %.1f", x(p), y(p));
-        return text.data();
-    }
+    void add(const auto& item) { sheet_.panels.back().items.emplace_back(item); }
 
-    std::ofstream out_;
-    double left_ = 0, top_ = 0, scale_ = 1;
+    kith::picture::sheet sheet_;
 };
 
 template <class Element>
@@ -173,7 +179,7 @@ point middle(const Element& x)
 
 /// Draws the old elements of a tuple, which a hierarchy returns as the origin of a new element.
 template <class Level, class Birth>
-void draw_tuple(picture& out, const Level& coarse, const Birth& birth)
+void draw_tuple(drawing& out, const Level& coarse, const Birth& birth)
 {
     if (birth.e)
         out.edge(coarse.edges()[birth.e->value], old_color);
@@ -184,7 +190,7 @@ void draw_tuple(picture& out, const Level& coarse, const Birth& birth)
 
 /// Draws one step: of all new elements that a tuple of this kind makes, only the one nearest to the middle.
 template <class Elements, class Scheme>
-void draw_step(picture& out, const mesh& control, const Scheme& scheme, std::optional<kind> tuple, Elements elements_of)
+void draw_step(drawing& out, const mesh& control, const Scheme& scheme, std::optional<kind> tuple, Elements elements_of)
 {
     kith::hierarchy levels(control, scheme);
     levels.refine();
@@ -203,10 +209,10 @@ void draw_step(picture& out, const mesh& control, const Scheme& scheme, std::opt
     const auto x = elements[*best];
     const auto birth = levels.origin(1, x.handle());
     if (birth.f)
-        out.fill(coarse.faces()[birth.f->value], old_color, .2);
+        out.fill(coarse.faces()[birth.f->value], old_color, .2F);
     if constexpr (requires { x.vertices(); })
-        out.fill(x, new_color, .45);
-    out.edges(coarse, "#888", 2.5);
+        out.fill(x, new_color, .45F);
+    out.edges(coarse, gray(.53F), 2.5);
     out.edges(fine, new_color, .8);
     draw_tuple(out, coarse, birth);
     if constexpr (requires { x.org(); })
@@ -217,49 +223,44 @@ void draw_step(picture& out, const mesh& control, const Scheme& scheme, std::opt
 
 void draw_tuples(const std::string& file)
 {
-    picture out(file, 4, 3);
+    drawing out(4, 3);
     const auto vertices = [](const auto& level) { return level.vertices(); };
     const auto edges = [](const auto& level) { return level.edges(); };
     const auto faces = [](const auto& level) { return level.faces(); };
     const mesh quads = grid(3), triangles = grid(3, true);
-    auto draw = [&, place = 0](const char* title,
-                               const char* name,
-                               const mesh& control,
-                               const auto& scheme,
-                               std::optional<kind>
-                                   tuple,
-                               auto elements) mutable {
-        out.panel(place % 4, place / 4, 3.15, title, name);
-        draw_step(out, control, scheme, tuple, elements);
-        ++place;
-    };
-    draw("(v) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::v, vertices);
-    draw("(e) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::e, vertices);
-    draw("(f) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::f, vertices);
-    draw("(v,f) → V", "Doo-Sabin", quads, kith::doo_sabin{}, kind::vf, vertices);
-    draw("(v,f) → E", "Loop", triangles, kith::loop{}, kind::vf, edges);
-    draw("(v,e) → E", "Catmull-Clark", quads, kith::catmull_clark{}, kind::ve, edges);
-    draw("(e) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::e, faces);
-    draw("(v,f) → F", "Catmull-Clark", quads, kith::catmull_clark{}, kind::vf, faces);
-    draw("(v) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::v, faces);
-    draw("(e,f) → F", "√3", triangles, kith::sqrt3{}, kind::ef, faces);
-    draw("(v,f,e) → E", "Nasri-Hasbini", quads, kith::nasri_hasbini{}, kind::vfe, edges);
-    draw("(v,v) → V", "a diagonal", quads, diagonals{}, std::nullopt, vertices);
+    const auto draw =
+        [&](const char* title, const mesh& control, const auto& scheme, std::optional<kind> tuple, auto elements) {
+            out.panel(title);
+            draw_step(out, control, scheme, tuple, elements);
+        };
+    draw("(v) → V, Catmull-Clark", quads, kith::catmull_clark{}, kind::v, vertices);
+    draw("(e) → V, Catmull-Clark", quads, kith::catmull_clark{}, kind::e, vertices);
+    draw("(f) → V, Catmull-Clark", quads, kith::catmull_clark{}, kind::f, vertices);
+    draw("(v,f) → V, Doo-Sabin", quads, kith::doo_sabin{}, kind::vf, vertices);
+    draw("(v,f) → E, Loop", triangles, kith::loop{}, kind::vf, edges);
+    draw("(v,e) → E, Catmull-Clark", quads, kith::catmull_clark{}, kind::ve, edges);
+    draw("(e) → F, Doo-Sabin", quads, kith::doo_sabin{}, kind::e, faces);
+    draw("(v,f) → F, Catmull-Clark", quads, kith::catmull_clark{}, kind::vf, faces);
+    draw("(v) → F, Doo-Sabin", quads, kith::doo_sabin{}, kind::v, faces);
+    draw("(e,f) → F, √3", triangles, kith::sqrt3{}, kind::ef, faces);
+    draw("(v,f,e) → E, Nasri-Hasbini", quads, kith::nasri_hasbini{}, kind::vfe, edges);
+    draw("(v,v) → V, a diagonal", quads, diagonals{}, std::nullopt, vertices);
+    out.write(file);
 }
 
 /// Draws the new vertices that faces, edges and vertices make, with an arrow from each old element to its vertex.
 void draw_catmull_clark(const std::string& file)
 {
-    picture out(file, 3, 1);
+    drawing out(3, 1);
     kith::hierarchy levels(flower(), kith::catmull_clark{});
     levels.refine();
     const auto &coarse = levels.elements(0), &fine = levels.elements(1);
-    const auto draw = [&](int column, const char* title, kind tuple) {
-        out.panel(column, 0, 3.3, title);
+    const auto draw = [&](const char* title, kind tuple) {
+        out.panel(title);
         for (const auto& v : fine.vertices())
             if (const auto birth = levels.origin(1, v.handle()); birth.kind == tuple and birth.f)
-                out.fill(coarse.faces()[birth.f->value], old_color, .12);
-        out.edges(coarse, "#888", 2.5);
+                out.fill(coarse.faces()[birth.f->value], old_color, .12F);
+        out.edges(coarse, gray(.53F), 2.5);
         out.edges(fine, new_color, .8);
         for (const auto& v : fine.vertices())
             if (const auto birth = levels.origin(1, v.handle()); birth.kind == tuple) {
@@ -271,57 +272,62 @@ void draw_catmull_clark(const std::string& file)
                 out.dot(v.point(), new_color, 5);
             }
     };
-    draw(0, "(f) → V", kind::f);
-    draw(1, "(e) → V", kind::e);
-    draw(2, "(v) → V", kind::v);
+    draw("(f) → V", kind::f);
+    draw("(e) → V", kind::e);
+    draw("(v) → V", kind::v);
+    out.write(file);
 }
 
 /// Draws the descendants of one face over three steps.
 void draw_patch(const std::string& file)
 {
-    picture out(file, 4, 1);
+    drawing out(4, 1);
     kith::hierarchy levels(grid(3), kith::catmull_clark{});
     levels.refine(3);
     const auto root = levels.elements(0).faces()[4].handle();
     for (int level = 0; level <= 3; ++level) {
         const bool is_made = level == 0 or level == 3;
-        out.panel(level, 0, 3.15, "level " + std::to_string(level), is_made ? "" : "(never made)");
+        out.panel("level " + std::to_string(level) + (is_made ? "" : " (never made)"));
         const auto& elements = levels.elements(level);
         if (level == 0) {
-            out.fill(elements.faces()[root.value], old_color, .3);
+            out.fill(elements.faces()[root.value], old_color, .3F);
         } else if (is_made) {
             for (const auto f : levels.descendants(0, root, level).faces())
-                out.fill(elements.faces()[f.value], new_color, .4);
+                out.fill(elements.faces()[f.value], new_color, .4F);
         }
-        out.edges(elements, is_made ? "#555" : "#ccc", is_made ? 1.2 : .8);
+        out.edges(elements, is_made ? gray(.33F) : gray(.8F), is_made ? 1.2 : .8);
     }
+    out.write(file);
 }
 
 /// Draws the levels of a tile: the faces that it owns, and its ghosts.
 void draw_ghosts(const std::string& file)
 {
-    picture out(file, 4, 1);
+    drawing out(4, 1);
     const mesh control = grid(8);
     kith::partition parts{{}, 2};
     for (const auto& f : kith::level_of<mesh>(control).faces()) {
         const point p = middle(f);
         parts.part_of.push_back(p[0] > 3 and p[0] < 5 and p[1] > 3 and p[1] < 5 ? 1 : 0);
     }
-    out.panel(0, 0, 8.2, "control mesh", "and a part");
+    out.panel("control mesh and a part");
     const kith::level_of<mesh> whole(control);
     for (const auto& f : whole.faces())
         if (parts.part_of[f.index()] == 1)
-            out.fill(f, old_color, .4);
-    out.edges(whole, "#555", 1.2);
+            out.fill(f, old_color, .4F);
+    out.edges(whole, gray(.33F), 1.2);
     kith::tiled_refinement refinement(control, kith::doo_sabin{}, 2, parts);
     refinement.refine_levels(1, [&](auto&& kept) {
-        out.panel(kept.level + 1, 0, 8.2, "level " + std::to_string(kept.level), "of the tile");
-        out.edges(whole, "#ddd", .8);
+        out.panel("level " + std::to_string(kept.level) + " of the tile");
+        out.edges(whole, gray(.87F), .8, -1);
         const kith::level_of<mesh> level(kept.part.mesh);
         for (const auto& f : level.faces())
-            out.fill(f, kept.part.owns_face(f.index()) ? old_color : "#888", kept.part.owns_face(f.index()) ? .4 : .25);
-        out.edges(level, "#555", kept.level == 2 ? .6 : 1.2);
+            out.fill(f,
+                     kept.part.owns_face(f.index()) ? old_color : gray(.53F),
+                     kept.part.owns_face(f.index()) ? .4F : .25F);
+        out.edges(level, gray(.33F), kept.level == 2 ? .6 : 1.2);
     });
+    out.write(file);
 }
 
 } // namespace

@@ -4,30 +4,25 @@
 // Sample run: curvature > docs/curvature.svg
 
 #include "creased_cubes.hpp"
-#include "painted_triangles.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/picture.hpp>
 #include <kith/surface.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iostream>
+#include <string>
 
-using point = std::array<double, 3>;
+constexpr double strongest = 6;
 
-/// Returns red, green and blue between 0 and 1: blue for the value -1, white for 0 and red for 1.
-std::array<double, 3> color_of(double value)
-{
-    const double strength = std::fmin(std::abs(value), 1), weak = 1 - .75 * strength;
-    return value < 0 ? std::array{weak, weak, 1.} : std::array{1., weak, weak};
-}
-
-void draw(const kith::basic_mesh<point>& control, const kith::catmull_clark& scheme, double left)
+kith::picture::surface drawn(const kith::basic_mesh<>& control, const kith::catmull_clark& scheme)
 {
     const auto fine = tessellate(control, scheme, {.segments = 6, .chord_error = .01});
     const auto at = kith::surface_locator(control, scheme).locate(fine.places);
     const auto curvatures = curvatures_of(at.evaluate(control.points(), kith::derivatives::second));
-    painting::triangles triangles;
+    auto surface = kith::picture::surface_of(fine.mesh);
+    surface.closed = true;
     for (std::size_t f = 0; f < fine.mesh.face_count(); ++f) {
         double sum = 0, known = 0;
         for (const auto v : fine.mesh.face(f))
@@ -35,17 +30,21 @@ void draw(const kith::basic_mesh<point>& control, const kith::catmull_clark& sch
                 sum += curvatures[v].gaussian;
                 ++known;
             }
-        constexpr double strongest = 6;
-        triangles.add(fine, f, color_of(known > 0 ? sum / known / strongest : 0));
+        surface.face_colors.push_back(kith::picture::color_of_signed(known > 0 ? sum / known / strongest : 0));
     }
-    triangles.print(left);
+    return surface;
 }
 
 int main()
 {
     const creased_cubes cubes;
-    painting::begin(660, 300, "stroke:currentColor;stroke-width:.6");
-    draw(cubes.control, {}, 0);
-    draw(cubes.control, cubes.creased, 330);
-    painting::end();
+    kith::picture::sheet out{.panels = {{.items = {drawn(cubes.control, {})}, .title = "smooth"},
+                                        {.items = {drawn(cubes.control, cubes.creased)}, .title = "with creases"}},
+                             .view = {146, 30},
+                             .legend = {.title = "Gaussian", .is_scale = true},
+                             .width = 760,
+                             .height = 320};
+    for (int i = -2; i <= 2; ++i)
+        out.legend.entries.push_back({kith::picture::color_of_signed(i / 2.), std::to_string(int(strongest) * i / 2)});
+    kith::picture::write_svg(std::cout, out);
 }
