@@ -154,6 +154,12 @@ check "it is a few" test "$more" -gt 2 -a "$more" -lt 40
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M
 exits 0
 says_nothing
+# The number that the program chooses itself fits the limit.
+run refine control.ply -s catmull-clark -n 5 -o usual.vtu --memory-limit 40M
+exits 0
+says_nothing
+same out.vtu usual.vtu
+rm usual.vtu
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2000 --memory-limit 200K
 exits 1
 says 'refine fewer times, since not even one tile per face of the mesh would fit$'

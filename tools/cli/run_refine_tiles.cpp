@@ -11,6 +11,7 @@
 #include "job/refine_tiles.hpp"
 
 #include <kith/io/format/mesh_format.hpp>
+#include <kith/tiles/part/tiles_at_once.hpp>
 
 #include <cstdint>
 #include <iostream>
@@ -63,6 +64,18 @@ std::string result_line(const tile_request& request, const tiling& how, const ti
     return out.str();
 }
 
+/// Returns a partition into the usual number of tiles, or into more if the memory limit requires it.
+partition usual_partition(const tile_request& request, const std::string& partitioner, const memory_limit& memory)
+{
+    partition parts = make_partition(partitioner, request.control, usual_tiles_per_rank(request));
+    const auto kind = tiling_of(request, tiles_at_once(SIZE_MAX));
+    if (tiled_job_bytes(request.scheme, request.control, request.levels, parts, kind) <= memory.bytes)
+        return parts;
+    const std::uint64_t more = tiles_that_fit(
+        request.scheme, request.control, request.levels, partitioner, memory.bytes, kind);
+    return more > parts.parts ? make_partition(partitioner, request.control, more) : parts;
+}
+
 } // namespace
 
 bool is_tile_format_only(const po::variables_map& values)
@@ -111,7 +124,8 @@ int run_refine_tiles(const po::variables_map& values)
     how.partitioner = partitioner;
     how.memory = memory_limit_from(values);
     how.make_parts = [&] {
-        return make_partition(partitioner, request.control, tiles ? *tiles : usual_tiles_per_rank(request));
+        return tiles ? make_partition(partitioner, request.control, *tiles)
+                     : usual_partition(request, partitioner, how.memory);
     };
     tiled_result result = refine_tiles(request, how);
     result.seconds[phase::read] += reading;
