@@ -116,8 +116,8 @@ private:
     bool has_alpha_ = false;
 };
 
-/// A vertex has four coordinates, a normal, a color of four and a texture coordinate of three numbers at most.
-constexpr int most_numbers = 15;
+/// A vertex has four coordinates, a normal, a color of four and a texture coordinate of two numbers at most.
+constexpr int most_numbers = 13;
 
 /// The numbers of a vertex behind its coordinates.
 struct vertex_numbers {

@@ -90,6 +90,19 @@ TEST(read_off, keywords)
               "line 1: binary OFF is not rea");
 }
 
+TEST(read_off, has_at_most_nine_numbers_behind_the_coordinates_of_a_vertex)
+{
+    const auto with = [](const std::string& more) {
+        std::string result = "OFF\n6 1 0\n";
+        for (int v = 0; v < 6; ++v)
+            result += std::to_string(v) + " 1 0" + more + "\n";
+        return result + "6 0 1 2 3 4 5\n";
+    };
+    EXPECT_EQ(refusal(mesh_format::off, with(" 0 0 1 1 1 1 1 .5 .5")), "read");
+    EXPECT_EQ(refusal(mesh_format::off, with(" 0 0 1 1 1 1 1 .5 .5 0")),
+              "line 3: vertex 0 has too many numbers; each vertex has a line of its own");
+}
+
 TEST(read_off, one_line)
 {
     expect_tetrahedron(mesh_format::off, replaced(files::off, "\n", " "));
