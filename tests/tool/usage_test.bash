@@ -49,7 +49,7 @@ wrong 'output is missing' refine cube.off -s catmull-clark -n 1
 wrong 'scheme is missing' refine cube.off -n 1 -o out.off
 wrong 'levels is missing' refine cube.off -s catmull-clark -o out.off
 wrong 'too many operands' refine cube.off other.off -s catmull-clark -n 1 -o out.off
-wrong "'catmull' is not a scheme; the schemes are catmull-clark, loop, doo-sabin, sqrt3, " refine cube.off -s catmull -n 1 -o out.off
+wrong "'catmull' is not a scheme; the schemes are catmull-clark, loop, quad-tri, doo-sabin, sqrt3, " refine cube.off -s catmull -n 1 -o out.off
 wrong 'ask for 0 or more' refine cube.off -s catmull-clark -n -1 -o out.off
 wrong '^kith: --levels: -1 levels were asked for; ask for 0 or more$' refine cube.off -s catmull-clark -n -1 -o out.off
 wrong 'levels' refine cube.off -s catmull-clark -n two -o out.off
@@ -83,6 +83,7 @@ wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off -
 wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 5Q
 wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 0
 wrong 'only PLY and STL' refine cube.off -s catmull-clark -n 1 -o out.off --binary
+wrong 'quad-tri is not refined in tiles: a tile does not know how many triangles come before its own' refine cube.off -s quad-tri -n 1 -o out.vtu
 wrong 'B is missing' compare cube.off --tolerance 1
 wrong '--tolerance or --bitwise is missing' compare cube.off cube.off
 wrong 'tolerance' compare cube.off cube.off --tolerance -1
@@ -98,6 +99,7 @@ run schemes
 exits 0
 prints '^catmull-clark +any polygons +Catmull & Clark 1978'
 prints '^loop +triangles'
+prints '^quad-tri +any polygons +Stam & Loop 2003'
 prints '^doo-sabin +any polygons'
 prints '^sqrt3 +triangles'
 prints '--boundary thesis, clamped, drop'
