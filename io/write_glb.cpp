@@ -206,7 +206,8 @@ private:
     }
 
     /// Adds an array of `count` elements of numbers of 4 bytes to the head. Returns the number of its accessor.
-    std::size_t add_array(const char* type, std::size_t numbers, std::size_t count, bool is_of_indices, json more = {})
+    std::size_t add_array(const char* type, std::size_t numbers, std::size_t count, bool is_of_indices,
+                          const json& more = json::object())
     {
         constexpr int unsigned_int = 5125, real = 5126, array_buffer = 34962, element_array_buffer = 34963;
         const std::uint64_t size = std::uint64_t(4) * numbers * count;
