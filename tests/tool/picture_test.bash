@@ -23,8 +23,10 @@ else
     end=png
     drawn plain.png cube.off -s catmull-clark
     check "has the default size" test "$(size plain.png)" = "800 600"
-    drawn again.png cube.off -s catmull-clark
-    same plain.png again.png
+    for threads in 1 3; do
+        OMP_NUM_THREADS=$threads drawn again.png cube.off -s catmull-clark
+        same plain.png again.png
+    done
     drawn small.png cube.off -s catmull-clark --size 64x48 --transparent
     check "has the size" test "$(size small.png)" = "64 48"
     drawn side.png cube.off -s catmull-clark,doo-sabin -n 0,1,2
@@ -137,5 +139,9 @@ exits 1
 run picture cube.off -s catmull-clark -o there/no.svg
 exits 1
 says 'there/no.svg'
+(ulimit -f 1 && exec "$kith" picture cube.off -s catmull-clark -n 6 -o no.svg) >"$results/out" 2>"$results/err"
+code=$?
+exits 1
+says 'no.svg: could not be written completely'
 leaves cube.off hole.obj tetra.off valued.ply
 finish
