@@ -38,6 +38,21 @@ inline kith::surface_place place_on_side(const mesh3d& mesh, std::size_t corner,
                       : kith::surface_place{f, triangle[0], triangle[1], 0};
 }
 
+/// Returns the place that lies off a corner of a face by x along the side after it and by y along the side before it.
+/// The face has `sides` corners.
+inline kith::surface_place place_off_corner(const mesh3d& mesh, std::size_t corner, double x, double y,
+                                            std::size_t sides)
+{
+    const auto& topology = mesh.topology();
+    const auto next = topology.next(std::uint32_t(corner)), before = topology.prev(std::uint32_t(corner));
+    const auto here = place_on_side(mesh, corner, 0, sides), a = place_on_side(mesh, next, 0, sides),
+               z = place_on_side(mesh, before, 0, sides);
+    return {here.face,
+            here.u + x * (a.u - here.u) + y * (z.u - here.u),
+            here.v + x * (a.v - here.v) + y * (z.v - here.v),
+            0};
+}
+
 /// Returns the place at `at` in the sub-face at a corner of a face. For a quad it converts to the parameters of the
 /// whole quad.
 inline kith::surface_place place_in_sub_face(const mesh3d& mesh, std::size_t f, std::size_t corner,

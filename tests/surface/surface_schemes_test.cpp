@@ -5,6 +5,7 @@
 #include "support/all_shapes.hpp"
 #include "support/error_text.hpp"
 #include "support/native_shape.hpp"
+#include "support/surface_places.hpp"
 
 #include <kith/closest_points.hpp>
 #include <kith/compiled_schemes.hpp>
@@ -28,14 +29,6 @@ namespace {
 
 using kith::derivatives;
 using kith::surface_place;
-using parameters = std::array<double, 2>;
-using point = std::array<double, 3>;
-
-double distance(const point& a, const point& b)
-{
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Returns a place for each corner of a level of 4-8, by bisecting the first edges.
 std::vector<surface_place> places_of_bisection(const mesh3d& control, int level)
 {
@@ -96,6 +89,74 @@ TEST(surface_schemes, bisect_triangles)
     test("grid", shapes::grid(3, 4)); // of generation 0
     test("triangulated L", shapes::triangulated(shapes::l_shape()));
     test("open house", shapes::open_house());
+}
+
+/// Shows that 4-8 has first derivatives on the boundary: those along it are the slopes of the cubic B-spline of the
+/// boundary vertices, and all are the limits of those nearby.
+TEST(surface_schemes, bisect_triangles_with_slopes_on_boundaries)
+{
+    constexpr std::size_t size = 4;
+    const auto mesh = tri_quad(native(shapes::shaken(shapes::grid(size, size))));
+    const auto& topology = mesh.topology();
+    kith::surface_locator surface(mesh, kith::four_eight{});
+    std::size_t compared = 0;
+    for (std::uint32_t c = 0; c < mesh.corner_count(); ++c) {
+        const std::size_t from = topology.corner_vertex[c], to = topology.corner_vertex[topology.next(c)];
+        if (topology.across(c) != topology.none)
+            continue;
+        for (const double at : {.3, .5, .0625, .9}) {
+            const auto off = [&](double y) { return place_off_corner(mesh, c, at, y, 3); };
+            const std::vector<surface_place> places{off(0), off(0x1p-14), off(0x1p-15)};
+            const auto made = surface.locate(places).evaluate(mesh.points(), derivatives::first);
+            const auto along = [&](std::size_t i) { // the side that begins at the corner
+                const auto a = place_on_side(mesh, c, 0, 3), z = place_on_side(mesh, topology.next(c), 0, 3);
+                point result{};
+                for (std::size_t x = 0; x < 3; ++x)
+                    result[x] = (z.u - a.u) * made.du[i][x] + (z.v - a.v) * made.dv[i][x];
+                return result;
+            };
+            for (std::size_t x = 0; x < 3; ++x) {
+                EXPECT_NEAR(2 * made.du[2][x] - made.du[1][x], made.du[0][x], 3e-7) << "corner " << c << " at " << at;
+                EXPECT_NEAR(2 * made.dv[2][x] - made.dv[1][x], made.dv[0][x], 3e-7) << "corner " << c << " at " << at;
+            }
+            if (std::max(from, to) > size or std::min(from, to) == 0 or std::max(from, to) == size)
+                continue; // on the first row, away from its ends
+            const double t = from < to ? at : 1 - at, sign = from < to ? 1 : -1;
+            const std::size_t first = std::min(from, to) - 1;
+            const std::array<double, 4> slopes{
+                -(1 - t) * (1 - t) / 2, (3 * t * t - 4 * t) / 2, (1 + 2 * t - 3 * t * t) / 2, t * t / 2};
+            point expected{};
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t x = 0; x < 3; ++x)
+                    expected[x] += sign * slopes[i] * mesh.point(first + i)[x];
+            EXPECT_LT(distance(along(0), expected), 1e-7) << "corner " << c << " at " << at;
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 8U);
+}
+
+/// Shows that 4-8 has the tangent plane at boundary vertices, to which tangents nearby converge.
+TEST(surface_schemes, bisect_triangles_with_tangents_at_boundary_vertices)
+{
+    for (const auto& shape : {shapes::ring(5), shapes::triangulated(shapes::ring(5))}) {
+        const auto mesh = tri_quad(native(shapes::shaken(shape)));
+        const auto& topology = mesh.topology();
+        kith::surface_locator surface(mesh, kith::four_eight{});
+        std::size_t compared = 0;
+        for (std::uint32_t c = 0; c < mesh.corner_count(); ++c) {
+            if (topology.across(topology.vertex_corner[topology.corner_vertex[c]]) != topology.none)
+                continue;
+            std::vector<surface_place> places;
+            for (const double size : {0., 0x1p-8, 0x1p-24})
+                places.push_back(place_off_corner(mesh, c, .6 * size, .3 * size, 3));
+            const auto normals = normals_of(surface.locate(places).evaluate(mesh.points(), derivatives::first));
+            EXPECT_LT(distance(normals[0], normals[1]), .3) << "corner " << c;
+            EXPECT_LT(distance(normals[0], normals[2]), .3 * distance(normals[0], normals[1])) << "corner " << c;
+            ++compared;
+        }
+        EXPECT_GT(compared, 40U);
+    }
 }
 
 /// Shows that the numbers of faces change nothing. Faces keep their first corners, which mark edges.

@@ -242,9 +242,8 @@ TEST(surface, keeps_creases_and_corners)
         }
 }
 
-/// Shows that at vertices of creases each face has the tangents of its side, to which tangents nearby converge. A
-/// corner has no tangents if the surface has no tangent plane there: between creases of Catmull-Clark with two faces or
-/// more.
+/// Shows that at vertices of creases each face has the tangents of its side, to which tangents nearby converge. Some
+/// corners have none: those between creases of Catmull-Clark with two faces or more.
 TEST(surface, has_tangents_on_each_side_of_creases)
 {
     const auto test = [](const mesh3d& mesh, auto scheme, std::size_t every, double nearby, std::size_t without) {
@@ -254,15 +253,9 @@ TEST(surface, has_tangents_on_each_side_of_creases)
         const auto expected = normals_of_corners(mesh, limit_surface_of(mesh, scheme));
         kith::surface_locator surface(mesh, scheme);
         for (std::uint32_t c = 0; c < mesh.corner_count(); ++c) {
-            const auto here = place_on_side(mesh, c, 0, sides);
-            const auto next = place_on_side(mesh, mesh.topology().next(c), 0, sides);
-            const auto before = place_on_side(mesh, mesh.topology().prev(c), 0, sides);
-            std::vector<surface_place> places{here};
+            std::vector<surface_place> places{place_on_side(mesh, c, 0, sides)};
             for (const auto& [x, y] : {parameters{.5, .3}, {.9, .02}, {.02, .9}})
-                places.push_back({here.face,
-                                  here.u + 0x1p-11 * (x * (next.u - here.u) + y * (before.u - here.u)),
-                                  here.v + 0x1p-11 * (x * (next.v - here.v) + y * (before.v - here.v)),
-                                  0});
+                places.push_back(place_off_corner(mesh, c, 0x1p-11 * x, 0x1p-11 * y, sides));
             const auto normals = normals_of(surface.locate(places).evaluate(mesh.points(), derivatives::first));
             if (normals[0] == kith::normal_vector{}) {
                 --without;
@@ -277,6 +270,110 @@ TEST(surface, has_tangents_on_each_side_of_creases)
     test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{}, 7, .02, 0);
     test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{}, 3, .3, 6);
     test(native(shapes::shaken(shapes::triangulated(shapes::grid(4, 5)))), kith::loop{}, 7, .02, 0);
+}
+
+/// Shows that between creases that meet at a corner the surface has the plane of their tangents, in sectors of few
+/// faces. In sectors of one face more, normals nearby turn into that of this plane with the logarithm of the distance.
+/// In larger sectors there is no plane: normals beside the two creases stay apart.
+TEST(surface, has_tangents_where_creases_meet)
+{
+    const auto test = [](const mesh3d& mesh, const auto& smooth, std::size_t valence, std::size_t most_faces) {
+        const auto& topology = mesh.topology();
+        const std::uint32_t vertex = mesh.face(0)[0];
+        std::vector<std::uint32_t> fan{topology.vertex_corner[vertex]};
+        while (fan.size() < valence)
+            fan.push_back(topology.across(topology.prev(fan.back())));
+        for (std::size_t faces = 1; faces < valence; ++faces) {
+            SCOPED_TRACE(faces);
+            auto scheme = smooth;
+            scheme.sharpness.sharpen_vertex(vertex, kith::infinitely_sharp);
+            for (const std::size_t k : {std::size_t(0), faces})
+                scheme.sharpness.sharpen_edge(topology.corner_halfedge[fan[k]] / 2, kith::infinitely_sharp);
+            kith::surface_locator surface(mesh, scheme);
+            const auto along_edge = [&](std::size_t k) {
+                auto result = mesh.point(topology.corner_vertex[topology.next(fan[k])]);
+                for (std::size_t x = 0; x < 3; ++x)
+                    result[x] -= mesh.point(vertex)[x];
+                return result;
+            };
+            const auto plane = *kith::unit_normal(along_edge(0), along_edge(faces));
+            std::vector<kith::normal_vector> beside_creases;
+            for (std::size_t k = 0; k < faces; ++k) {
+                const auto off = [&, here = fan[k]](double size, double x, double y) {
+                    return place_off_corner(mesh, here, size * x, size * y, valence == 4 ? 4 : 3);
+                };
+                std::vector<surface_place> places{off(0, 0, 0)};
+                for (const double size : {0x1p-10, 0x1p-20, 0x1p-40})
+                    for (const auto& [x, y] : {parameters{.5, .3}, {.8, .02}, {.02, .8}})
+                        places.push_back(off(size, x, y));
+                const auto normals = normals_of(surface.locate(places).evaluate(mesh.points(), derivatives::first));
+                EXPECT_LT(distance(normals[0], faces > most_faces ? kith::normal_vector{} : plane), 1e-14) << k;
+                if (faces > most_faces + 1) {
+                    if (k == 0 or k + 1 == faces)
+                        beside_creases.push_back(normals[k == 0 ? 8 : 9]);
+                    continue;
+                }
+                for (std::size_t i = 1; i < 4; ++i) {
+                    EXPECT_LT(distance(normals[i], plane), .5) << k;
+                    EXPECT_LT(distance(normals[i + 3], plane), .6 * distance(normals[i], plane)) << k;
+                    EXPECT_LT(distance(normals[i + 6], plane), .6 * distance(normals[i + 3], plane)) << k;
+                }
+            }
+            if (faces > most_faces + 1) {
+                EXPECT_GT(distance(beside_creases.front(), beside_creases.back()), .1);
+            }
+        }
+    };
+    test(native(shapes::shaken(shapes::torus(8, 8))), kith::catmull_clark{}, 4, 1);
+    test(native(shapes::shaken(shapes::triangulated(shapes::torus(8, 8)))), kith::loop{}, 6, 2);
+}
+
+/// Catmull-Clark with creases, under a name for which the library has no masks.
+struct without_masks {
+    kith::creases sharpness{};
+
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "without-masks",
+                                   .reach = [](const without_masks& s, int rings) { return s.sharpness.reach(rings); },
+                                   .state = &without_masks::sharpness};
+    }
+    static constexpr auto columns() { return kith::catmull_clark::columns(); }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        kith::catmull_clark{.corners = kith::boundary_corner::kept, .sharpness = sharpness}(r);
+    }
+};
+
+/// Shows that steps alone give a user's scheme the normals of masks: inside, at boundaries, on both sides of creases,
+/// at darts and at corners. Where normals nearby turn with the logarithm of the distance, steps give none.
+TEST(surface, has_tangents_without_masks)
+{
+    std::size_t known = 0;
+    for (const auto& shape : {shapes::grid(5, 5), shapes::l_shape(), shapes::torus(5, 6), shapes::cube()}) {
+        const auto mesh = native(shapes::shaken(shape));
+        without_masks scheme;
+        for (std::size_t e = 0; e < mesh.edge_count(); e += 5)
+            scheme.sharpness.sharpen_edge(e, e % 2 == 0 ? kith::infinitely_sharp : 1.5);
+        const kith::catmull_clark with_masks{.corners = kith::boundary_corner::kept, .sharpness = scheme.sharpness};
+        std::vector<surface_place> places;
+        for (std::size_t c = 0; c < mesh.corner_count(); ++c)
+            places.push_back(place_on_side(mesh, c, 0, 4));
+        const auto expected =
+            kith::surface_locator(mesh, with_masks).locate(places).evaluate(mesh.points(), derivatives::first);
+        const auto made =
+            kith::surface_locator(mesh, scheme).locate(places).evaluate(mesh.points(), derivatives::first);
+        const auto expected_normals = normals_of(expected), normals = normals_of(made);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            EXPECT_LT(distance(made.points[i], expected.points[i]), 1e-13) << i;
+            if (normals[i] == kith::normal_vector{})
+                continue;
+            ++known;
+            EXPECT_LT(distance(normals[i], expected_normals[i]), 1e-11) << i;
+        }
+    }
+    EXPECT_GT(known, 250U); // of 256 corners
 }
 
 TEST(surface, has_the_slopes_of_its_points)

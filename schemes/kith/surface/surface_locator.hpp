@@ -50,8 +50,9 @@ class surface_lattices;
 /// A locator takes all schemes of the library, with all creases, and a user's own with such a split. Doo-Sabin and
 /// mid-edge have a surface in parts of the faces at a boundary, docs/how/surface.md. The degree of unified is at most
 /// 5. For a scheme that is no spline among regular faces (Butterfly, Kobbelt, both sqrt3) places come from many steps;
-/// first derivatives have about seven digits, and second ones are NaN. On boundaries of 4-8 and Doo-Sabin all
-/// derivatives are NaN. One thread at a time may use a locator. The mesh need not outlive it.
+/// first derivatives have about seven digits, and second ones are NaN. So it is on boundaries of 4-8 and Doo-Sabin.
+/// With Doo-Sabin the derivative across is infinite, and a tangent replaces it. One thread at a time may use a locator.
+/// The mesh need not outlive it.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
 public:

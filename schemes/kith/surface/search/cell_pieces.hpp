@@ -4,7 +4,6 @@
 #include "cell_place.hpp"
 
 #include <kith/surface/shape/face_domain.hpp>
-#include <kith/surface/shape/face_parameters.hpp>
 
 #include <algorithm>
 #include <array>

@@ -48,6 +48,13 @@ struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
             return cell == 0 ? 2 : 1;
         return at == corners[1] ? 2 * cell : sides;
     }
+    /// Nearer to the boundary derivatives of polynomials would be rounding errors.
+    static bool is_at_wall(const domain_face& face, std::size_t cell, const face_parameters& at)
+    {
+        constexpr double near = 0x1p-20;
+        const bool is_at_half = cell == 0 ? at.s + at.t >= 1 - near : at.s <= near; // of the first side
+        return (face.is_wall[0] and is_at_half) or (face.is_wall[cell == 0 ? 2 : 1] and at.t <= near);
+    }
     static std::size_t children(const domain_face&) { return 2; }
     /// Returns the number of child k: children are the faces at the ends of the first edge.
     template <std::unsigned_integral Index, class Ids>

@@ -53,6 +53,12 @@ struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
     {
         return at == std::array{1., 1.} ? 0 : sides;
     }
+    /// Returns true on the border of the sub-faces that a boundary cuts off from a quad.
+    static bool is_at_wall(const domain_face& face, std::size_t cell, const face_parameters& at)
+    {
+        return face.degree == sides and
+               ((at.s == 1 and face.is_wall[(cell + 1) % sides]) or (at.t == 1 and face.is_wall[(cell + 2) % sides]));
+    }
     static std::size_t cells(const domain_face& face) { return face.degree; }
     static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
     {
@@ -115,6 +121,7 @@ struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     {
         return at == std::array{0., 1.} ? 0 : sides;
     }
+    static bool is_at_wall(const domain_face&, std::size_t, const face_parameters&) { return false; }
     static std::size_t cells(const domain_face& face) { return 2 * face.degree; }
     static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
     {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "face_parameters.hpp"
-
 #include <kith/core/mesh/connectivity.hpp>
 #include <kith/numbering/association/columns.hpp>
 #include <kith/numbering/step/scheme.hpp>
@@ -20,6 +18,23 @@
 #include <vector>
 
 namespace kith::detail {
+
+/// The parameters s and t in a face of some level. They have derivatives by u and v of the face in the control mesh.
+struct face_parameters {
+    double s, t;
+    double s_u = 1, s_v = 0, t_u = 0, t_v = 1;
+
+    /// Replaces s and t by linear functions of them, constant + of_s * s + of_t * t.
+    void replace(double new_s, double s_by_s, double s_by_t, double new_t, double t_by_s, double t_by_t)
+    {
+        *this = {new_s,
+                 new_t,
+                 s_by_s * s_u + s_by_t * t_u,
+                 s_by_s * s_v + s_by_t * t_v,
+                 t_by_s * s_u + t_by_t * t_u,
+                 t_by_s * s_v + t_by_t * t_v};
+    }
+};
 
 /// A cell of a child face. The cells of a face are its parts with parameters of their own: the face itself, or a
 /// sub-face per corner.
@@ -125,6 +140,8 @@ struct domain_of_quads : domain_at_vertices<4> {
 ///   vertex_of_child(mesh, ids, face, k)       its vertex from which cells are counted; -1 for its first corner
 ///   descend(face, cell, parameters)           the child_cell of a place; replaces its parameters by those in it
 ///   cell_of_child(child, first, cell)         the number of that cell; `first` is the corner of vertex_of_child
+///   is_at_wall(face, cell, parameters)        true if a place lies on the boundary of the surface; needed only without
+///                                             has_polynomials_at_boundaries
 ///   keeps_first_corners                       true if the first corners of faces have a meaning
 ///   has_vertices_at_corners(face), splits_in_four, is_cut_off_by_boundaries, has_polynomials_at_boundaries
 template <class Columns>

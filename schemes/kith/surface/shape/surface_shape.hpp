@@ -61,6 +61,7 @@ struct surface_shape {
         , in_domain(look_at(mesh.topology(), scheme, mesh.generation(), f))
         , polynomials(domain::cells(in_domain))
         , at_corners(in_domain.degree)
+        , at_walls(domain::cells(in_domain))
     {
     }
 
@@ -78,6 +79,7 @@ struct surface_shape {
     std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks, or
                                                  ///< of the centre of the face
     bool has_corner_limits = false;              ///< true if some corner has a limit
+    std::vector<polynomial_pointer> at_walls;    ///< of cells that have none, between the limits of their corners
     polynomial_pointer at_end{};                 ///< of the face after many steps, between the limits of its corners
     bool leads_to_polynomials = false;           ///< true if it has one, or a shape that steps make of it has one
     std::size_t number = 0, oldest = 0;          ///< of a search for shapes that lead to one another

@@ -94,6 +94,11 @@ public:
                     at = {0, 0};
                     return limit;
                 }
+            if constexpr (not domain::has_polynomials_at_boundaries)
+                if (depth >= domain::steps and here->at_walls[cell] and
+                    (domain::is_at_wall(here->in_domain, cell, at) or
+                     domain::corner_at(here->in_domain, cell, {at.s, at.t}) != domain::sides))
+                    return here->at_walls[cell].get();
             steps_without += here->leads_to_polynomials ? 0 : 1;
             if (depth == domain::most_steps or steps_without > domain::steps)
                 return here->at_end.get();
