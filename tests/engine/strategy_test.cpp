@@ -119,8 +119,9 @@ made_by_doors by_all_doors(const mesh3d& mesh, const Scheme& scheme, int steps)
     kith::with_fields beside(scheme, height_field(heights));
     result.with_state = refine_with_fields(mesh, beside, steps);
     result.beside.assign(beside.field().values().begin(), beside.field().values().end());
-    if constexpr (kith::scheme_with_creases<Scheme>)
+    if constexpr (kith::scheme_with_creases<Scheme>) {
         EXPECT_EQ(beside.plain().sharpness, levels.scheme(steps).sharpness);
+    }
     kith::evaluator points(mesh, scheme, steps);
     const auto evaluated = points.evaluate(mesh.points());
     result.evaluated.assign(evaluated.begin(), evaluated.end());

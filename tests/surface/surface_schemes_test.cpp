@@ -155,7 +155,7 @@ TEST(surface_schemes, bisect_triangles_with_tangents_at_boundary_vertices)
             EXPECT_LT(distance(normals[0], normals[2]), .3 * distance(normals[0], normals[1])) << "corner " << c;
             ++compared;
         }
-        EXPECT_GT(compared, 40U);
+        EXPECT_GE(compared, 30U); // three corners at each of ten vertices, or more
     }
 }
 

@@ -38,7 +38,7 @@ refined_mesh refine_native(basic_mesh<> control, const refine_request& request)
             }
             result.holes = request.holes;
             result.attributes = request.attributes;
-            const auto fields = std::tie(result.holes, result.attributes);
+            auto fields = std::tie(result.holes, result.attributes);
             if (not needs_scheme) {
                 result.mesh = refine_with_fields(control, scheme, request.levels, fields, options);
                 return result;
