@@ -229,7 +229,19 @@ if test -x /usr/bin/time; then
         planned "$base" cube.off -s catmull-clark -n 8 --mesh $mesh -- \
             cube.off -s catmull-clark -n 8 --mesh $mesh -o out.ply --binary
     done
-    planned "$base" cube.off -s catmull-clark -n 8 --limit -- cube.off -s catmull-clark -n 8 --limit -o out.ply --binary
+    planned "$base" cube.off -s linear -n 8 --limit -- cube.off -s linear -n 8 --limit -o out.ply --binary
+    # Limits of regular vertices need no numbers of vertices.
+    run plan cube.off -s catmull-clark -n 8 --limit
+    need=$(sed -n 's/^refining.* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
+    peak cube.off -s catmull-clark -n 8 --limit -o out.ply --binary
+    check "regular limits should use less than 4/5 of the plan, which are $need bytes" \
+        test $(((peak - base) * 1024)) -lt $((need * 4 / 5))
+    # On sharp edges each side has normals of its own.
+    run plan cube.off -s catmull-clark -n 8 --limit --crease-angle 30
+    need=$(sed -n 's/^refining.* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
+    peak cube.off -s catmull-clark -n 8 --limit --crease-angle 30 -o out.ply --binary
+    check "limits on creases should use no more than the plan, which are $need bytes" \
+        test $(((peak - base) * 1024)) -le "$need"
     # The same in tiles, step by step and in patches.
     planned "$base_of_tiles" control.ply -s doo-sabin -n 4 --ranks 1 --tiles-per-rank 1 -- \
         control.ply -s doo-sabin -n 4 -o out.vtu --tiles 1 --threads 1 --way levels

@@ -8,6 +8,7 @@
 #include "job/back_end.hpp"
 #include "job/holes.hpp"
 #include "job/job_memory.hpp"
+#include "job/limit_surface.hpp"
 #include "job/mesh_input.hpp"
 #include "job/plan_ranks.hpp"
 
@@ -196,8 +197,11 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
         return plan_what_fits(count(control.topology()), s, levels, control.generation());
     };
     const partial_plan planned = std::visit(fits, scheme);
-    const job_kind kind{
-        .mesh = mesh_kind_from(*values), .limit = limit, .holes = has_holes, .attributes = count_of(input.attributes)};
+    const job_kind kind{.mesh = mesh_kind_from(*values),
+                        .limit = limit,
+                        .corner_normals = limit and has_sides(scheme),
+                        .holes = has_holes,
+                        .attributes = count_of(input.attributes)};
     planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels)), {}};
     if (tells_why and planned.problem.empty()) {
         const refine_request request{
