@@ -24,7 +24,8 @@ property_report subdivide(Graph& pmesh, const Scheme& scheme, const Np& np, cons
             in_place::split_with_creases<Linear> split;
             return refine(graph_of(pmesh), split, np, arguments...);
         }
-        return refine(graph_of(pmesh), scheme, np, arguments...);
+        Scheme own = scheme; // its creases become those of the last level
+        return refine(graph_of(pmesh), own, np, arguments...);
     } else {
         return cgal::subdivision(pmesh, scheme, np, arguments...);
     }
