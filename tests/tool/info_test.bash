@@ -17,7 +17,7 @@ prints '^bounding box +-1 -1 -1 to 1 1 1$'
 prints '^problems +none$'
 run info cube.off --json
 exits 0
-prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1\.0,-1\.0,-1\.0\],\[1\.0,1\.0,1\.0\]\],"tags":\[\],"schemes":\["catmull-clark","doo-sabin","kobbelt","nasri-hasbini","4-8","mid-edge","unified","linear"\],"problems":\[\]\}$'
+prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1\.0,-1\.0,-1\.0\],\[1\.0,1\.0,1\.0\]\],"tags":\[\],"schemes":\["catmull-clark","quad-tri","doo-sabin","kobbelt","nasri-hasbini","4-8","mid-edge","unified","linear"\],"problems":\[\]\}$'
 
 # A pipe of six quads with two boundary loops and a triangle by itself.
 cat >'pipe "1".off' <<'END'
@@ -57,7 +57,7 @@ prints '"boundary_loops":3,'
 # The schemes that take a mesh as it is, and what an OBJ file says of creases and holes.
 run info cube.off
 prints '^tags +none$'
-prints '^refined by +catmull-clark, doo-sabin, kobbelt, nasri-hasbini, 4-8, mid-edge, unified, linear$'
+prints '^refined by +catmull-clark, quad-tri, doo-sabin, kobbelt, nasri-hasbini, 4-8, mid-edge, unified, linear$'
 tetrahedron >tetra.off
 run info tetra.off
 prints '^refined by +catmull-clark, loop, '
@@ -84,9 +84,9 @@ prints '^  vertex 4: infinitely sharp$'
 prints '^  face 0: a hole$'
 prints '^  boundary: its corners are kept$'
 prints "^  creases: by Chaikin's rule$"
-prints '^refined by +catmull-clark$'
+prints '^refined by +catmull-clark, quad-tri$'
 run info tagged.obj --json
-prints '"tags":\["edge 1-2: sharpness 1.5",.*\],"schemes":\["catmull-clark"\],"problems":\[\]'
+prints '"tags":\["edge 1-2: sharpness 1.5",.*\],"schemes":\["catmull-clark","quad-tri"\],"problems":\[\]'
 # What `refine` refuses in the tags is a problem here, too.
 echo 't crease 2/1/0 0 2 1' >>tagged.obj
 run info tagged.obj
@@ -167,7 +167,7 @@ prints '^tags +2 sharp edges, 1 sharp vertex, 1 unknown tag$'
 prints '^attributes +groups$'
 prints '^not refined +normals$'
 run info quad.obj --json
-prints '"tags":\["edge 0-1: sharpness 2","edge 1-2: sharpness 2","vertex 3: sharpness 1","line 10: .strange. is not understood"\],"attributes":\["groups"\],"not_refined":\["normals"\],"schemes":\["catmull-clark"\],"problems":\[\]\}$'
+prints '"tags":\["edge 0-1: sharpness 2","edge 1-2: sharpness 2","vertex 3: sharpness 1","line 10: .strange. is not understood"\],"attributes":\["groups"\],"not_refined":\["normals"\],"schemes":\["catmull-clark","quad-tri"\],"problems":\[\]\}$'
 echo 't crease 2/1/0 0 2 1' >>quad.obj
 run info quad.obj
 exits 1
