@@ -277,25 +277,22 @@ property_report refine(Graph& g, Scheme& scheme, const Np& np, const Argument&..
 /// kith::value_types<type...>(). Values of other types are copied from the parent to faces, and to edges and half-edges
 /// along old ones; old vertices keep theirs. A mesh without faces is not changed; isolated vertices stay if old
 /// vertices stay.
-/// Returns which property maps were carried and which were left out, with the reason.
-/// Errors: those of kith::refine. After an error, also when memory runs out, a Surface_mesh is unchanged. Exceptions
-/// are errors in copies of values of unnamed types and in the caller's maps, as both come last.
-/// Cost: that of kith::refine.
+/// Returns which property maps were carried and which were left out, with the reason. Errors: those of kith::refine.
+/// After an error, also when memory runs out, a Surface_mesh is unchanged. Exceptions are errors in copies of values of
+/// unnamed types and in the caller's maps, as both come last. Cost: that of kith::refine.
 template <class Graph, scheme Scheme, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::default_values(),
                             const Argument&... arguments)
 {
     if constexpr (steps<Np>) {
-        return detail::refine(
-            detail::graph_of(pmesh), scheme, CGAL::parameters::number_of_iterations(np), arguments...);
+        return subdivision(pmesh, scheme, CGAL::parameters::number_of_iterations(np), arguments...);
     } else {
         static_assert(scheme_with_creases<Scheme> or not detail::has_sharp_elements<Np>,
                       "kith::cgal: Catmull-Clark and Loop have creases, this scheme has none; leave out the maps of "
                       "constrained edges, constrained vertices and sharpness");
-        static_assert(
-            not detail::is_given<Np, parameters::do_not_modify_geometry_t>,
-            "kith::cgal: only CatmullClark_subdivision and Loop_subdivision take do_not_modify_geometry; leave "
-            "it out, or call Linear_subdivision or LinearTriangles_subdivision");
+        static_assert(not detail::is_given<Np, parameters::do_not_modify_geometry_t>,
+                      "kith::cgal: only CatmullClark_subdivision and Loop_subdivision take do_not_modify_geometry; "
+                      "leave it out, or call Linear_subdivision");
         return detail::refine(detail::graph_of(pmesh), scheme, np, arguments...);
     }
 }
