@@ -5,6 +5,7 @@ kith_mpi=$2
 shim=$3
 # More ranks than processors and, in a container, root: what MPI refuses unless told.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_hwloc_base_binding_policy=none # else each of two ranks is bound to a processor that other tests also use
 export OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
 export OMPI_MCA_pml=ob1 # what Open MPI takes on one machine; to look for hardware of others first is half the time of a small job
 export TMPDIR=$results # of this test alone, see apart.sh
