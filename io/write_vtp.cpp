@@ -22,7 +22,7 @@ namespace kith::io {
 
 namespace {
 
-std::string name_of(const ply_number& type)
+std::string vtk_name_of(const ply_number& type)
 {
     return (type.floating ? "Float" : type.is_signed ? "Int" : "UInt") + std::to_string(8 * type.bytes);
 }
@@ -35,7 +35,7 @@ struct vtp_array {
 
     vtp_array(std::string name_here, attribute_list list) : name(std::move(name_here)), columns(std::move(list))
     {
-        const auto is_first = [&](const attribute* a) { return name_of(a->type) == name_of(columns[0]->type); };
+        const auto is_first = [&](const attribute* a) { return vtk_name_of(a->type) == vtk_name_of(columns[0]->type); };
         if (std::ranges::all_of(columns, is_first))
             type = columns[0]->type;
     }
@@ -130,7 +130,7 @@ private:
         for (const vtp_array& array : arrays.list) {
             const std::string name = kith::detail::xml_text(array.name);
             const std::size_t columns = array.columns.size();
-            add("type=\"" + name_of(array.type) + "\" Name=\"" + name + "\"" +
+            add("type=\"" + vtk_name_of(array.type) + "\" Name=\"" + name + "\"" +
                     (columns == 1 ? "" : " NumberOfComponents=\"" + std::to_string(columns) + "\""),
                 elements,
                 columns * array.type.bytes,

@@ -72,7 +72,7 @@ bool hides_backs(const control_mesh& control)
     return volume > 0;
 }
 
-pictured_surface shown(const pictured_job& job, pictured_level level)
+pictured_surface pictured(const pictured_job& job, pictured_level level)
 {
     pictured_surface result{picture::surface_of(level.refined.mesh), {}, std::move(level.attributes)};
     result.shape.normals.assign(level.refined.normals.begin(), level.refined.normals.end());
@@ -191,12 +191,12 @@ picture::lines curved_edges(const refined_mesh& of, bool is_straight)
 
 pictured_surface limit_in_picture(const pictured_job& job, int least_level)
 {
-    return shown(job, refined(job, fine_level(job, least_level), true));
+    return pictured(job, refined(job, fine_level(job, least_level), true));
 }
 
 pictured_surface level_in_picture(const pictured_job& job, int level)
 {
-    return shown(job, refined(job, level, false));
+    return pictured(job, refined(job, level, false));
 }
 
 pictured_surface curvature_in_picture(const pictured_job& job)
