@@ -10,6 +10,7 @@
 #include <kith/eigen.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
+#include <kith/picture/plot.hpp>
 
 #include <Eigen/Sparse>
 
@@ -99,35 +100,26 @@ solution solve(const mesh& m, const std::vector<matrix>& prolongations)
 }
 
 /// Draws errors and numbers of cycles over the level.
-void plot(const char* file, const std::vector<int>& cycles, const std::vector<double>& errors)
+void draw(const char* file, const std::vector<int>& cycles, const std::vector<double>& errors)
 {
+    const auto over_levels = [](double first, const auto& values) {
+        kith::picture::curve curve{.paint = {.12F, .38F, .55F}};
+        for (const auto value : values)
+            curve.points.push_back({first + double(curve.points.size()), double(value)});
+        return curve;
+    };
     std::ofstream svg(file);
-    svg.precision(3);
-    svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 420 220\" font-family=\"sans-serif\" "
-           "font-size=\"11\">\n"
-           "<rect width=\"420\" height=\"220\" fill=\"white\"/>\n";
-    const auto x = [](std::size_t i) { return 60 + 70 * double(i); };
-    const auto line = [&](const char* color, const auto& values, const auto& y) {
-        svg << "<polyline fill=\"none\" stroke=\"" << color << "\" stroke-width=\"2\" points=\"";
-        for (std::size_t i = 0; i < values.size(); ++i)
-            svg << x(i) << ',' << y(values[i]) << ' ';
-        svg << "\"/>\n";
-    };
-    const auto text = [&](double left, double top, const auto&... words) {
-        svg << "<text x=\"" << left << "\" y=\"" << top << "\">", (svg << ... << words) << "</text>\n";
-    };
-    const auto error_y = [](double e) { return 20 - 35 * std::log10(e); };
-    const auto cycle_y = [](int n) { return 190 - 2. * n; };
-    line("#b03a2e", errors, error_y);
-    line("#1f618d", cycles, cycle_y);
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-        text(x(i) - 20, 210, "level ", i + 2);
-        text(x(i) - 5, cycle_y(cycles[i]) - 6, cycles[i]);
-        if (i < errors.size())
-            text(x(i) - 15, error_y(errors[i]) - 6, errors[i]);
-    }
-    text(60, 14, "red: error (logarithmic); blue: V-cycles to 1e-10");
-    svg << "</svg>\n";
+    kith::picture::write_svg(svg,
+                             {kith::picture::plot{.title = "Largest change to the level before",
+                                                  .x = {"level"},
+                                                  .y = {.is_logarithmic = true},
+                                                  .curves = {over_levels(3, errors)},
+                                                  .height = 140},
+                              kith::picture::plot{.title = "V-cycles to 1e-10",
+                                                  .x = {"level"},
+                                                  .y = {},
+                                                  .curves = {over_levels(2, cycles)},
+                                                  .height = 140}});
 }
 
 int main(int count, char** arguments)
@@ -158,7 +150,7 @@ int main(int count, char** arguments)
         coarser = values;
     }
     if (count > 1)
-        plot(arguments[1], cycles, errors);
+        draw(arguments[1], cycles, errors);
     for (std::size_t i = 0; i < cycles.size(); ++i)
         if (cycles[i] > 15 or (i > 1 and i < errors.size() and errors[i] > errors[i - 1] / 3))
             return 1;

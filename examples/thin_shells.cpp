@@ -6,6 +6,8 @@
 
 #include "thin_shells/obstacle_course.hpp"
 
+#include <kith/picture/plot.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,34 +56,22 @@ void run_course(const char* scheme, int levels, std::vector<course_result>& resu
 }
 
 /// Draws displacements over the number of unknowns; the curves of Loop are dashed.
-void plot(const char* file, const std::vector<course_result>& results)
+void draw(const char* file, const std::vector<course_result>& results)
 {
-    std::ofstream svg(file);
-    svg.precision(4);
-    const auto x = [](double unknowns) { return 60 + 65 * (std::log2(unknowns) - std::log2(128)); };
-    const auto y = [](double ratio) { return 30 + 360 * (1.05 - ratio); };
-    svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 480 240\" font-family=\"sans-serif\" "
-           "font-size=\"11\">\n<rect width=\"480\" height=\"240\" fill=\"white\"/>\n"
-        << "<rect x=\"60\" y=\"" << y(1.01) << "\" width=\"400\" height=\"" << y(.99) - y(1.01)
-        << "\" fill=\"#d5f5e3\"/>\n"
-        << "<text x=\"60\" y=\"18\">displacement / reference; green: within 1 %; dashed: Loop</text>\n";
-    for (const double ratio : {.6, .8, 1.})
-        svg << "<text x=\"30\" y=\"" << y(ratio) + 4 << "\">" << ratio << "</text>\n";
-    for (const int unknowns : {128, 512, 2048, 8192})
-        svg << "<text x=\"" << x(unknowns) - 10 << "\" y=\"225\">" << unknowns << "</text>\n";
-    svg << "<text x=\"380\" y=\"238\">unknowns</text>\n";
-    constexpr std::array colors{"#1f618d", "#b03a2e", "#7d6608"};
+    constexpr std::array<kith::picture::color, 3> colors{{{.12F, .38F, .55F}, {.69F, .23F, .18F}, {.49F, .4F, .03F}}};
+    kith::picture::plot plot{.title = "Displacement over reference",
+                             .x = {"unknowns", true},
+                             .y = {},
+                             .band = {{.99, 1.01}},
+                             .notes = {"solid: Catmull-Clark", "dashed: Loop", "green: within 1 %"}};
     for (std::size_t i = 0; i < results.size(); ++i) {
-        svg << "<polyline fill=\"none\" stroke=\"" << colors[i % 3] << "\" stroke-width=\"2\""
-            << (i < 3 ? "" : " stroke-dasharray=\"5 3\"") << " points=\"";
+        kith::picture::curve curve{results[i].problem, {}, colors[i % 3], i >= 3};
         for (std::size_t level = 0; level < results[i].ratios.size(); ++level)
-            svg << x(results[i].unknowns[level]) << ',' << y(results[i].ratios[level]) << ' ';
-        svg << "\"/>\n";
-        if (i < 3)
-            svg << "<text x=\"330\" y=\"" << 110 + 16 * i << "\" fill=\"" << colors[i] << "\">" << results[i].problem
-                << "</text>\n";
+            curve.points.push_back({results[i].unknowns[level], results[i].ratios[level]});
+        plot.curves.push_back(std::move(curve));
     }
-    svg << "</svg>\n";
+    std::ofstream svg(file);
+    kith::picture::write_svg(svg, {plot});
 }
 
 } // namespace
@@ -94,7 +84,7 @@ int main(int count, char** words)
     run_course<kith::catmull_clark>("Catmull-Clark", levels, results);
     run_course<kith::loop>("Loop", levels, results);
     if (count > 2)
-        plot(words[2], results);
+        draw(words[2], results);
     constexpr std::array tolerances{.5, .04, .01, .01, .01};
     return std::ranges::all_of(results,
                                [&](const course_result& result) {

@@ -2,7 +2,6 @@
 #include "contest_picture.hpp"
 #include "contest_report.hpp"
 #include "contests.hpp"
-#include "curve_picture.hpp"
 #include "correctness/exit_code.hpp"
 
 #include <kith/read_mesh.hpp>
@@ -170,7 +169,7 @@ void run_all(const options::variables_map& values)
     if (values.count("json"))
         write_json(values["json"].as<std::string>(), facts, contests);
     if (values.count("svg"))
-        write_svg(values["svg"].as<std::string>(), facts, contests);
+        write_bars(values["svg"].as<std::string>(), facts, contests);
     if (values.count("curves"))
         write_curves(values["curves"].as<std::string>(), facts, contests);
 }

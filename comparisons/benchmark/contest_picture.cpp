@@ -1,85 +1,133 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contest_picture.hpp"
 
-#include "svg_file.hpp"
+#include <kith/io/text/file_error.hpp>
+#include <kith/picture/plot.hpp>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
 #include <string_view>
 
 namespace kith::comparison {
 
 namespace {
 
-constexpr int row = 18, title = 30, names = 250, bars = 420, right = 90;
+using picture::color;
 
-double nanoseconds_per_face(const contest& contest, const contestant& contestant)
+double nanoseconds_per_face(const std::vector<measurement>& runs, double measurement::* seconds, std::uint64_t faces)
 {
-    return 1e9 * median(contestant.runs, [](const measurement& run) { return run.seconds; }) / double(contest.faces);
+    return 1e9 * median(runs, [&](const measurement& run) { return run.*seconds; }) / double(faces);
 }
 
-std::string escaped(std::string_view text)
+bool is_ours(std::string_view contestant)
 {
-    std::string result;
-    for (const char c : text)
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+    return contestant.starts_with("kith");
+}
+
+picture::bar_chart bars_of(const contest& contest)
+{
+    picture::bar_chart chart{contest.scheme + ", " + contest.mesh + ", " + std::to_string(contest.faces) + " faces",
+                             " ns"};
+    for (const auto& contestant : contest.contestants)
+        chart.bars.push_back({contestant.name,
+                              nanoseconds_per_face(contestant.runs, &measurement::seconds, contest.faces),
+                              is_ours(contestant.name) ? color{.12F, .47F, .71F} : picture::gray});
+    return chart;
+}
+
+/// The runs of a contestant by numbers of faces. A contestant may take part in several contests.
+struct runs_by_size {
+    std::string contestant;
+    std::map<std::uint64_t, std::vector<measurement>> runs{};
+};
+
+/// Returns the runs of all contestants of one scheme, in the order of their first appearance.
+std::vector<runs_by_size> runs_of(const std::string& scheme, const std::vector<contest>& contests)
+{
+    std::vector<runs_by_size> result;
+    for (const auto& contest : contests)
+        if (contest.scheme == scheme)
+            for (const auto& contestant : contest.contestants) {
+                auto found = std::ranges::find(result, contestant.name, &runs_by_size::contestant);
+                if (found == result.end())
+                    found = result.insert(result.end(), {contestant.name});
+                auto& all = found->runs[contest.faces];
+                all.insert(all.end(), contestant.runs.begin(), contestant.runs.end());
+            }
     return result;
 }
 
-void draw(std::ostream& out, int y, std::string_view style, int x, std::string_view text)
+picture::plot curves_of(const std::string& scheme, const std::vector<contest>& contests)
 {
-    out << "<text class=\"" << style << "\" x=\"" << x << "\" y=\"" << y << "\">" << escaped(text) << "</text>\n";
+    static constexpr std::array theirs{color{.53F, .53F, .53F},
+                                       color{.73F, .6F, .27F},
+                                       color{.27F, .67F, .47F},
+                                       color{.67F, .4F, .53F},
+                                       color{.73F, .73F, .73F},
+                                       color{.47F, .4F, .33F},
+                                       color{.79F, .54F, .54F}};
+    static constexpr std::array ours{color{.12F, .47F, .71F},
+                                     color{.84F, .15F, .16F},
+                                     color{.5F, .25F, .75F},
+                                     color{.09F, .64F, .72F},
+                                     color{1, .5F, .05F},
+                                     color{.17F, .63F, .17F}};
+    picture::plot plot{.title = scheme,
+                       .x = {"faces of the last level", true},
+                       .y = {"nanoseconds per face", true},
+                       .notes = {"dashed: first in a process", "solid: the same again"}};
+    std::size_t our_next = 0, their_next = 0;
+    for (const auto& [contestant, runs] : runs_of(scheme, contests)) {
+        const color& paint = is_ours(contestant) ? ours[our_next++ % ours.size()]
+                                                 : theirs[their_next++ % theirs.size()];
+        for (const auto& [seconds, is_dashed] :
+             {std::pair(&measurement::seconds, true), std::pair(&measurement::seconds_again, false)}) {
+            picture::curve curve{contestant, {}, paint, is_dashed};
+            for (const auto& [faces, measured] : runs)
+                curve.points.push_back({double(faces), nanoseconds_per_face(measured, seconds, faces)});
+            plot.curves.push_back(std::move(curve));
+        }
+    }
+    return plot;
 }
 
-/// Draws the bars of one contest from height `y` on. Returns the height that they take.
-int draw(std::ostream& out, int y, const contest& contest)
+void write(const std::string& path, const std::map<std::string, std::string>& facts,
+           const std::vector<picture::diagram>& diagrams)
 {
-    double most = 0;
-    for (const auto& contestant : contest.contestants)
-        most = std::max(most, nanoseconds_per_face(contest, contestant));
-    draw(out,
-         y + title - 9,
-         "title",
-         10,
-         contest.scheme + ", " + contest.mesh + ", " + std::to_string(contest.faces) + " faces");
-    int at = y + title;
-    for (const auto& contestant : contest.contestants) {
-        const double time = nanoseconds_per_face(contest, contestant);
-        const bool ours = contestant.name.starts_with("kith");
-        std::ostringstream label;
-        label << std::fixed << std::setprecision(1) << time << " ns";
-        draw(out, at + 13, "name", names - 8, contestant.name);
-        out << "<rect class=\"" << (ours ? "ours" : "theirs") << "\" x=\"" << names << "\" y=\"" << at + 2
-            << "\" width=\"" << std::max(1., bars * time / most) << "\" height=\"" << row - 4 << "\"/>\n";
-        draw(out, at + 13, "value", names + int(bars * time / most) + 6, label.str());
-        at += row;
-    }
-    return at - y;
+    std::ofstream file(path);
+    write_svg(file,
+              diagrams,
+              "Nanoseconds per face of the last level, medians; " + facts.at("processor") + ", " +
+                  facts.at("compiler") + ' ' + facts.at("flags"));
+    if (not file.flush())
+        throw io::file_error(path + ": could not be written completely");
 }
 
 } // namespace
 
-void write_svg(const std::string& path, const std::map<std::string, std::string>& facts,
-               const std::vector<contest>& contests)
+void write_bars(const std::string& path, const std::map<std::string, std::string>& facts,
+                const std::vector<contest>& contests)
 {
-    std::ostringstream body;
-    int y = 10;
-    draw(body,
-         y + 12,
-         "note",
-         10,
-         "Nanoseconds per face of the last level, medians; " + facts.at("processor") + ", " + facts.at("compiler") +
-             ' ' + facts.at("flags"));
-    y += 16;
+    std::vector<picture::diagram> diagrams;
     for (const auto& contest : contests)
-        y += draw(body, y, contest);
-    write_svg_file(path,
-                   names + bars + right,
-                   y + 10,
-                   ".title{font-weight:bold}.name{text-anchor:end}.note,.value{fill:#444}.ours{fill:#1f77b4}"
-                   ".theirs{fill:#bbb}",
-                   body.str());
+        diagrams.emplace_back(bars_of(contest));
+    write(path, facts, diagrams);
+}
+
+void write_curves(const std::string& path, const std::map<std::string, std::string>& facts,
+                  const std::vector<contest>& contests)
+{
+    std::vector<std::string> schemes;
+    std::vector<picture::diagram> diagrams;
+    for (const auto& contest : contests)
+        if (std::ranges::find(schemes, contest.scheme) == schemes.end()) {
+            schemes.push_back(contest.scheme);
+            diagrams.emplace_back(curves_of(contest.scheme, contests));
+        }
+    write(path, facts, diagrams);
 }
 
 } // namespace kith::comparison

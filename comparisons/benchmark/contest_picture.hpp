@@ -11,7 +11,13 @@ namespace kith::comparison {
 
 /// Writes an SVG picture of the contests, one after the other: a bar for the median of each contestant, in nanoseconds
 /// per face of the last level. Errors: io::file_error.
-void write_svg(const std::string& path, const std::map<std::string, std::string>& facts,
-               const std::vector<contest>& contests);
+void write_bars(const std::string& path, const std::map<std::string, std::string>& facts,
+                const std::vector<contest>& contests);
+
+/// Writes one SVG picture, scheme by scheme: nanoseconds per face over the number of faces, both on logarithmic axes.
+/// Each contestant has a curve of the medians of its first runs (dashed) and one of its second runs. Contests of one
+/// scheme at several sizes make a curve. Errors: io::file_error.
+void write_curves(const std::string& path, const std::map<std::string, std::string>& facts,
+                  const std::vector<contest>& contests);
 
 } // namespace kith::comparison

@@ -2,9 +2,10 @@
 #pragma once
 
 /// Pictures of surfaces, without a display: `picture::sheet` describes one, `picture::draw` makes its pixels, and
-/// `picture::write_png` and `picture::write_svg` write it.
+/// `picture::write_png` and `picture::write_svg` write it. `picture::plot` and `picture::bar_chart` show numbers.
 
 #include <kith/picture/color.hpp>
+#include <kith/picture/plot.hpp>
 #include <kith/picture/scene.hpp>
 
 #include <array>
