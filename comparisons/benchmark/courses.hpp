@@ -24,7 +24,7 @@ struct course_settings {
     std::shared_ptr<const basic_mesh<>> mesh = {}; ///< mesh that was read from a file, or none
 };
 
-/// A control mesh and the number of levels that brings it nearest to the wanted number of faces.
+/// A control mesh and the number of levels, at least one, that brings it nearest to the wanted number of faces.
 struct course {
     std::string name;
     std::shared_ptr<const basic_mesh<>> control;
@@ -35,9 +35,12 @@ struct course {
 template <class Scheme>
 course make_course(std::string name, std::shared_ptr<const basic_mesh<>> control, const Scheme& scheme, double target)
 {
-    course result{std::move(name), control, 0, control->face_count()};
-    for (int levels = 1;; ++levels) {
-        const std::uint64_t faces = plan(count(control->topology()), scheme, levels).back().counts.faces;
+    const auto faces_after = [&](int levels) {
+        return plan(count(control->topology()), scheme, levels).back().counts.faces;
+    };
+    course result{std::move(name), control, 1, faces_after(1)};
+    for (int levels = 2;; ++levels) {
+        const std::uint64_t faces = faces_after(levels);
         if (std::abs(std::log(double(faces) / target)) > std::abs(std::log(double(result.faces) / target)))
             return result;
         result.levels = levels;
