@@ -127,10 +127,13 @@ public:
                     result.normal[k] = sign * (normals_.empty() ? float(flat[k]) : normals_[number(i)][k]);
                 if (not surface_->vertex_colors.empty())
                     result.paint = surface_->vertex_colors[v];
+                if (surface_->texture != nullptr)
+                    result.in_texture = surface_->corner_textures[surface_->first[f] + i];
                 return result;
             };
             for (std::size_t i = 2; i < corners.size(); ++i)
-                out.draw({corner(0), corner(i - 1), corner(i)}, normals_.empty(), surface_->light);
+                out.draw(
+                    {corner(0), corner(i - 1), corner(i)}, normals_.empty(), surface_->light, surface_->texture.get());
         }
     }
     void draw_edges(samples& out, std::size_t band) const

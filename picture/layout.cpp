@@ -41,6 +41,11 @@ void require_complete(const surface& s)
     require(is_one_each(s.corner_normals.size(), s.corners.size()), "a surface needs a normal per corner, or none");
     require(is_one_each(s.vertex_colors.size(), s.points.size()), "a surface needs a color per point, or none");
     require(is_one_each(s.face_colors.size(), s.face_count()), "a surface needs a color per polygon, or none");
+    if (s.texture == nullptr)
+        return;
+    require(s.texture->width > 0 and s.texture->pixels.size() == s.texture->width * s.texture->height,
+            "a texture needs pixels in all of its rows");
+    require(s.corner_textures.size() == s.corners.size(), "a texture needs texture coordinates per corner");
 }
 void require_complete(const lines& l)
 {

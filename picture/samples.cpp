@@ -36,7 +36,7 @@ color weighed_sum(const color& a, float w, const color& b, float u, const color&
 
 } // namespace
 
-void samples::draw(const std::array<placed_corner, 3>& corners, bool is_flat, shading light)
+void samples::draw(const std::array<placed_corner, 3>& corners, bool is_flat, shading light, const image* texture)
 {
     std::array<std::array<std::int64_t, 2>, 3> at;
     for (std::size_t k = 0; k < 3; ++k)
@@ -85,7 +85,12 @@ void samples::draw(const std::array<placed_corner, 3>& corners, bool is_flat, sh
                             normal[k] = w * first.normal[k] + u * second.normal[k] + v * third.normal[k];
                         bright = brightness_of(light, in_length_one(normal));
                     }
-                    const color paint = lit(weighed_sum(first.paint, w, second.paint, u, third.paint, v), bright);
+                    const auto in_texture = [&](std::size_t k) {
+                        return w * first.in_texture[k] + u * second.in_texture[k] + v * third.in_texture[k];
+                    };
+                    const color own = texture != nullptr ? color_at(*texture, in_texture(0), in_texture(1))
+                                                         : weighed_sum(first.paint, w, second.paint, u, third.paint, v);
+                    const color paint = lit(own, bright);
                     blend(i, paint, paint.opacity);
                     depths_[i] = depth;
                     line_depths_[i] = depth - behind;

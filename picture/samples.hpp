@@ -19,6 +19,7 @@ struct placed_corner {
     float depth;                 ///< toward the viewer, in samples
     std::array<float, 3> normal; ///< along the axes of the view
     color paint;
+    std::array<float, 2> in_texture{};
 };
 
 /// The samples of some rows of a picture: colors, and the depth of what is nearest to the viewer.
@@ -45,8 +46,8 @@ public:
         std::ranges::fill(line_depths_, nothing);
     }
 
-    /// Draws a triangle, whose sides belong to one of two neighbours.
-    void draw(const std::array<placed_corner, 3>& corners, bool is_flat, shading light);
+    /// Draws a triangle, whose sides belong to one of two neighbours. It has the colors of a texture if there is one.
+    void draw(const std::array<placed_corner, 3>& corners, bool is_flat, shading light, const image* texture);
 
     /// Begins lines of one color; where they overlap, they are drawn once.
     void begin_lines() { std::ranges::fill(stamps_, 0); }

@@ -5,6 +5,7 @@
 #include <kith/picture.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -62,6 +63,7 @@ double paint(std::vector<painted>& out, const surface& s, const layout& places, 
         std::vector<point> corners;
         point normal{}, area{};
         color mixed{0, 0, 0, 0};
+        std::array<double, 2> in_texture{};
         const float share = 1 / float(s.first[f + 1] - s.first[f]);
         for (std::size_t c = s.first[f]; c < s.first[f + 1]; ++c) {
             const std::uint32_t v = s.corners[c];
@@ -69,6 +71,9 @@ double paint(std::vector<painted>& out, const surface& s, const layout& places, 
             if (is_smooth)
                 for (std::size_t k = 0; k < 3; ++k)
                     normal[k] += dot(places.axes()[k], s.corner_normals.empty() ? s.normals[v] : s.corner_normals[c]);
+            if (s.texture != nullptr)
+                for (std::size_t k = 0; k < 2; ++k)
+                    in_texture[k] += double(share * s.corner_textures[c][k]);
             if (not s.vertex_colors.empty()) {
                 const color& at = s.vertex_colors[v];
                 mixed.red += share * at.red, mixed.green += share * at.green;
@@ -90,8 +95,11 @@ double paint(std::vector<painted>& out, const surface& s, const layout& places, 
         if (area[2] < 0)
             for (double& x : normal)
                 x = -x;
-        const color& own = s.face_colors.empty() ? s.paint : s.face_colors[f];
-        const color fill = lit(s.vertex_colors.empty() ? own : mixed, brightness_of(s.light, normal));
+        const color own = s.texture != nullptr          ? color_at(*s.texture, in_texture[0], in_texture[1])
+                          : not s.vertex_colors.empty() ? mixed
+                          : s.face_colors.empty()       ? s.paint
+                                                        : s.face_colors[f];
+        const color fill = lit(own, brightness_of(s.light, normal));
         std::string style, path = "<path fill='" + hexadecimal(fill) + "'";
         if (s.edges.width > 0)
             style = " stroke='" + hexadecimal(s.edges.ink) + "' stroke-width='" + number(s.edges.width) + "'";

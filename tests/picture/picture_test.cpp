@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -241,6 +242,56 @@ TEST(picture, what_is_incomplete_or_no_number_is_refused_or_left_out)
     broken.corners.insert(broken.corners.end(), {0, 1, 4});
     broken.first.push_back(7);
     EXPECT_EQ(count(draw(from_the_front({{.items = {broken}}}, 50, 50)), green_pixel), 46U * 46U);
+}
+
+TEST(picture, a_texture_lies_by_its_coordinates)
+{
+    const auto texture = std::make_shared<const image>(image{2, 1, {red_pixel, green_pixel}});
+    EXPECT_EQ(color_at(*texture, 0, .5), red);
+    EXPECT_EQ(color_at(*texture, 1, 0), green);
+    EXPECT_EQ(color_at(*texture, .5, 1), mix(red, green, .5F));
+    EXPECT_EQ(color_at(*texture, -1.75, 7), red); // as .25
+    EXPECT_EQ(color_at(*texture, NAN, 0), gray);
+    const image upright{1, 2, {red_pixel, green_pixel}};
+    EXPECT_EQ(color_at(upright, 0, 1), red);
+    EXPECT_EQ(color_at(upright, 0, 0), green);
+
+    auto shape = rectangle(0, 4, 0, 1, 0, blue);
+    shape.texture = texture;
+    shape.corner_textures = {{0, 0}, {4, 0}, {4, 1}, {0, 1}}; // four times side by side
+    const image drawn = draw(from_the_front({{{shape}}}, 400, 100));
+    std::size_t first = 0;
+    while (drawn.at(first, 50) == white_pixel)
+        ++first;
+    const auto width = double(400 - 2 * first);
+    const auto at = [&](double share) { return drawn.at(first + std::size_t(width * share), 50); };
+    for (const double left : {0., .25, .5, .75}) {
+        EXPECT_EQ(at(left + .03), red_pixel) << left;
+        EXPECT_EQ(at(left + .21), green_pixel) << left;
+    }
+    std::ostringstream svg;
+    shape.corner_textures = {{0, 0}, {.4F, 0}, {.4F, 1}, {0, 1}};
+    write_svg(svg, from_the_front({{{shape}}}, 80, 20));
+    EXPECT_NE(svg.str().find("fill='#ff0000'"), std::string::npos);
+    shape.corner_textures.pop_back();
+    EXPECT_THROW(draw(from_the_front({{{shape}}}, 80, 20)), std::invalid_argument);
+}
+
+TEST(picture, png_is_read_as_it_was_written)
+{
+    if (not writes_png())
+        GTEST_SKIP() << "this build has no libpng";
+    const image written{2, 2, {{1, 2, 3, 255}, {4, 5, 6, 128}, red_pixel, white_pixel}};
+    std::stringstream file;
+    write_png(file, written);
+    const image read = read_png(file);
+    EXPECT_EQ(read.width, 2U);
+    EXPECT_EQ(read.pixels, written.pixels);
+    const std::string bytes = file.str();
+    for (const std::string& damaged : {std::string(), std::string("no picture"), bytes.substr(0, bytes.size() / 2)}) {
+        std::istringstream in(damaged);
+        EXPECT_THROW(read_png(in), std::runtime_error) << damaged.size();
+    }
 }
 
 TEST(picture, png_has_the_signature_and_the_size)

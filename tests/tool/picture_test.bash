@@ -87,6 +87,27 @@ has quality.svg '>4</text>'
 drawn part.svg valued.ply -s loop --color attribute:part -n 1
 has part.svg '>5</text>'
 
+# Images lie on the surface by its texture coordinates: the first quarter of a square has the lower left corner.
+cat >square.obj <<'END'
+v 0 0 0
+v 1 0 0
+v 1 0 1
+v 0 0 1
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f 1/1 2/2 3/3 4/4
+END
+drawn checker.svg square.obj -s linear -n 3 --view front --color checker
+check "64 squares have three colors, one of them once" test "$(
+    grep -o "<path fill='#[0-9a-f]*'" checker.svg | sort | uniq -c | awk '{ print $1 }' | sort -n | tr '\n' ' ')" = "1 31 32 "
+if [ $end = png ]; then
+    drawn checker.png square.obj -s linear --view front --color checker --size 64x64
+    drawn again.png square.obj -s linear --view front --color texture:checker.png --size 64x64
+    check "an image of an image is another one" test "$(cmp -s again.png checker.png && echo same)" != same
+fi
+
 # Holes are left out.
 {
     sed -n '3,10s/^/v /p' cube.off
@@ -122,10 +143,14 @@ wrong "--size: '0x9' is no size" cube.off -s catmull-clark --size 0x9 -o no.svg
 wrong "--levels: '1.5' is no level; give levels from 0 to 20" cube.off -s catmull-clark -n 0,1.5 -o no.svg
 wrong '--wire: give a level from 0 to 20' cube.off -s catmull-clark --wire -1 -o no.svg
 wrong '--wire: applies to the limit surface' cube.off -s catmull-clark --wire 1 -n 2 -o no.svg
-wrong "--color: 'nice' is not one of plain, parent, tile, mean, gaussian, reflection, attribute:NAME" \
+wrong "--color: 'nice' is not one of plain, parent, tile, mean, gaussian, reflection, checker, attribute:NAME, texture:FILE" \
     cube.off -s catmull-clark --color nice -o no.svg
 wrong 'the file has none' cube.off -s catmull-clark --color attribute:heat -o no.svg
 wrong 'the attributes are quality, part' valued.ply -s loop --color attribute:heat -o no.svg
+wrong 'the file has no texture coordinates' cube.off -s catmull-clark --color checker -o no.svg
+run picture cube.off -s catmull-clark --color texture:cube.off -o no.svg
+exits 1
+says '^kith: cube.off: picture: '
 wrong 'name --tiles as well' cube.off -s catmull-clark --color tile -o no.svg
 wrong '--tiles: applies to --color tile only' cube.off -s catmull-clark --tiles 3 -o no.svg
 wrong 'leave out --levels' cube.off -s catmull-clark --color mean -n 1 -o no.svg
@@ -143,5 +168,5 @@ says 'there/no.svg'
 code=$?
 exits 1
 says 'no.svg: could not be written completely'
-leaves cube.off hole.obj tetra.off valued.ply
+leaves cube.off hole.obj square.obj tetra.off valued.ply
 finish

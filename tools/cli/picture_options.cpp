@@ -130,11 +130,12 @@ po::options_description options_of_picture()
         options, "levels,n", "LEVELS", "show the meshes of these levels, such as 0,1,2, not the limit surface");
     add_option<int>(options, "wire", "LEVEL", "draw the edges of this level on the limit surface");
     add_flag(options, "cage", "draw the control mesh, faint where it is hidden");
-    add_option<std::string>(options,
-                            "color",
-                            "WORD",
-                            "the meaning of colors: plain, parent (face of the control mesh), tile, mean or gaussian "
-                            "curvature, reflection lines, or attribute:NAME");
+    add_option<std::string>(
+        options,
+        "color",
+        "WORD",
+        "the meaning of colors: plain, parent (face of the control mesh), tile, mean or gaussian "
+        "curvature, reflection lines, checker or texture:FILE by texture coordinates, or attribute:NAME");
     add_option<std::int64_t>(options, "tiles", "N", "the number of tiles for --color tile");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_option<std::string>(options,

@@ -4,26 +4,33 @@
 #include "cli/errors.hpp"
 #include "cli/word_list.hpp"
 
+#include <kith/io/format/held_attributes.hpp>
+#include <kith/io/text/file_error.hpp>
+#include <kith/picture/image.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 namespace kith::tool {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, coloring>, 6> words{{{"plain", coloring::plain},
+constexpr std::array<std::pair<std::string_view, coloring>, 7> words{{{"plain", coloring::plain},
                                                                       {"parent", coloring::parent},
                                                                       {"tile", coloring::tile},
                                                                       {"mean", coloring::mean},
                                                                       {"gaussian", coloring::gaussian},
-                                                                      {"reflection", coloring::reflection}}};
-constexpr std::string_view attribute_prefix = "attribute:";
+                                                                      {"reflection", coloring::reflection},
+                                                                      {"checker", coloring::checker}}};
+constexpr std::string_view attribute_prefix = "attribute:", texture_prefix = "texture:";
 constexpr std::size_t most_entries = 12; // of a legend that is a list
 constexpr picture::color without_value{.88F, .88F, .88F, 1};
 
@@ -74,9 +81,72 @@ shown_values values_of(const pictured_surface& surface, const color_request& req
                 result = {a.values, attributes == &surface.attributes.vertices, a.labels};
         break;
     case coloring::plain:
-    case coloring::reflection: break;
+    case coloring::reflection:
+    case coloring::checker:
+    case coloring::texture: break;
     }
     return result;
+}
+
+/// Returns squares of two colors, eight along each side, whose lower left one is red.
+picture::image checker()
+{
+    constexpr std::size_t squares = 8, pixels = 32; // of a side
+    picture::image result{squares * pixels, squares * pixels};
+    for (std::size_t y = 0; y < result.height; ++y)
+        for (std::size_t x = 0; x < result.width; ++x) {
+            const std::size_t column = x / pixels, row = squares - 1 - y / pixels;
+            if (column + row == 0)
+                result.pixels.push_back({200, 60, 50, 255});
+            else if ((column + row) % 2 == 0)
+                result.pixels.push_back({70, 110, 160, 255});
+            else
+                result.pixels.push_back({235, 235, 235, 255});
+        }
+    return result;
+}
+
+std::shared_ptr<const picture::image> texture_in(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (not file)
+        throw io::file_error(path + ": cannot be opened");
+    try {
+        return std::make_shared<const picture::image>(picture::read_png(file));
+    } catch (const std::runtime_error& error) {
+        throw io::file_error(path + ": " + error.what());
+    }
+}
+
+bool has_texture(coloring by)
+{
+    return by == coloring::checker or by == coloring::texture;
+}
+
+void keep_textures(io::mesh_attributes& attributes)
+{
+    const io::held_attributes held = held_by(io::mesh_format::obj, attributes);
+    io::mesh_attributes kept;
+    for (const io::attribute* a : held.corner_textures)
+        kept.corners.push_back(*a);
+    for (const io::attribute* a : held.textures)
+        kept.vertices.push_back(*a);
+    attributes = std::move(kept);
+    if (attributes.corners.empty() and attributes.vertices.empty())
+        throw usage_error("--color: the file has no texture coordinates, which checker and texture need");
+}
+
+void give_texture(pictured_surface& surface, const color_request& request)
+{
+    const bool is_of_corners = not surface.attributes.corners.empty();
+    const auto& attributes = is_of_corners ? surface.attributes.corners : surface.attributes.vertices;
+    picture::surface& shape = surface.shape;
+    shape.texture = request.texture;
+    shape.corner_textures.resize(shape.corners.size());
+    for (std::size_t c = 0; c < shape.corners.size(); ++c)
+        for (std::size_t k = 0; k < 2; ++k)
+            if (k < attributes.size()) // OBJ may have one coordinate
+                shape.corner_textures[c][k] = float(attributes[k].values[is_of_corners ? c : shape.corners[c]]);
 }
 
 /// Returns the finite values of all surfaces, sorted.
@@ -162,17 +232,24 @@ color_request coloring_named(std::string_view word)
 {
     if (word.starts_with(attribute_prefix))
         return {.by = coloring::attribute, .name = std::string(word.substr(attribute_prefix.size()))};
+    if (word.starts_with(texture_prefix))
+        return {.by = coloring::texture, .texture = texture_in(std::string(word.substr(texture_prefix.size())))};
     std::string known;
     for (const auto& [name, by] : words) {
         if (name == word)
-            return {.by = by};
+            return {.by = by,
+                    .texture = by == coloring::checker ? std::make_shared<const picture::image>(checker()) : nullptr};
         append_to_list(known, name);
     }
-    throw usage_error("--color: '" + std::string(word) + "' is not one of " + known + ", attribute:NAME");
+    throw usage_error("--color: '" + std::string(word) + "' is not one of " + known + ", attribute:NAME, texture:FILE");
 }
 
 void keep_colored(io::mesh_attributes& attributes, const color_request& request)
 {
+    if (has_texture(request.by)) {
+        keep_textures(attributes);
+        return;
+    }
     std::string known;
     for (auto* of_elements : {&attributes.vertices, &attributes.faces}) {
         for (const io::attribute& a : *of_elements)
@@ -198,6 +275,11 @@ picture::legend give_colors(std::vector<pictured_surface>& surfaces, const color
     if (request.by == coloring::reflection) {
         for (auto& surface : surfaces)
             surface.shape.light = picture::shading::reflection_lines;
+        return {};
+    }
+    if (has_texture(request.by)) {
+        for (auto& surface : surfaces)
+            give_texture(surface, request);
         return {};
     }
     std::vector<shown_values> all;

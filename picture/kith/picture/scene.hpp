@@ -2,6 +2,7 @@
 #pragma once
 
 #include "color.hpp"
+#include "image.hpp"
 
 #include <kith/core/mesh/basic_mesh.hpp>
 
@@ -10,6 +11,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,11 +35,13 @@ struct surface {
     std::vector<point> points{};
     std::vector<std::uint32_t> corners{};
     std::vector<std::uint32_t> first{0};
-    std::vector<point> normals{};        ///< unit normals of the points; without normals polygons are flat
-    std::vector<point> corner_normals{}; ///< unit normals of the corners, which come before those of the points
-    color paint = gray;                  ///< of everything that has no color of its own
-    std::vector<color> face_colors{};    ///< of the polygons, or empty
-    std::vector<color> vertex_colors{};  ///< of the points, or empty
+    std::vector<point> normals{};           ///< unit normals of the points; without normals polygons are flat
+    std::vector<point> corner_normals{};    ///< unit normals of the corners, which come before those of the points
+    color paint = gray;                     ///< of everything that has no color of its own
+    std::vector<color> face_colors{};       ///< of the polygons, or empty
+    std::vector<color> vertex_colors{};     ///< of the points, or empty
+    std::shared_ptr<const image> texture{}; ///< comes before all colors, at the places `corner_textures`
+    std::vector<std::array<float, 2>> corner_textures{}; ///< texture coordinates of the corners
     shading light = shading::lit;
     outline edges{};
     bool closed = false; ///< polygons that are seen from behind are left out
