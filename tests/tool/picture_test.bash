@@ -108,6 +108,11 @@ if [ $end = png ]; then
     check "an image of an image is another one" test "$(cmp -s again.png checker.png && echo same)" != same
 fi
 
+# Each level has a color of its own.
+drawn levels.svg cube.off -s catmull-clark -n 0,2,3 --color level
+has levels.svg '>level</text>'
+for level in 0 2 3; do has levels.svg ">$level</text>"; done
+
 # Holes are left out.
 {
     sed -n '3,10s/^/v /p' cube.off
@@ -143,7 +148,7 @@ wrong "--size: '0x9' is no size" cube.off -s catmull-clark --size 0x9 -o no.svg
 wrong "--levels: '1.5' is no level; give levels from 0 to 20" cube.off -s catmull-clark -n 0,1.5 -o no.svg
 wrong '--wire: give a level from 0 to 20' cube.off -s catmull-clark --wire -1 -o no.svg
 wrong '--wire: applies to the limit surface' cube.off -s catmull-clark --wire 1 -n 2 -o no.svg
-wrong "--color: 'nice' is not one of plain, parent, tile, mean, gaussian, reflection, checker, attribute:NAME, texture:FILE" \
+wrong "--color: 'nice' is not one of plain, parent, tile, level, mean, gaussian, reflection, checker, attribute:NAME, texture:FILE" \
     cube.off -s catmull-clark --color nice -o no.svg
 wrong 'the file has none' cube.off -s catmull-clark --color attribute:heat -o no.svg
 wrong 'the attributes are quality, part' valued.ply -s loop --color attribute:heat -o no.svg
@@ -151,6 +156,7 @@ wrong 'the file has no texture coordinates' cube.off -s catmull-clark --color ch
 run picture cube.off -s catmull-clark --color texture:cube.off -o no.svg
 exits 1
 says '^kith: cube.off: picture: '
+wrong 'name --levels as well' cube.off -s catmull-clark --color level -o no.svg
 wrong 'name --tiles as well' cube.off -s catmull-clark --color tile -o no.svg
 wrong '--tiles: applies to --color tile only' cube.off -s catmull-clark --tiles 3 -o no.svg
 wrong 'leave out --levels' cube.off -s catmull-clark --color mean -n 1 -o no.svg

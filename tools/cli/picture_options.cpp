@@ -134,7 +134,7 @@ po::options_description options_of_picture()
         options,
         "color",
         "WORD",
-        "the meaning of colors: plain, parent (face of the control mesh), tile, mean or gaussian "
+        "the meaning of colors: plain, parent (face of the control mesh), tile, level, mean or gaussian "
         "curvature, reflection lines, checker or texture:FILE by texture coordinates, or attribute:NAME");
     add_option<std::int64_t>(options, "tiles", "N", "the number of tiles for --color tile");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
@@ -172,6 +172,8 @@ picture_request picture_request_from(const po::variables_map& values)
     const coloring by = result.color.by;
     if (given("levels") and (by == coloring::mean or by == coloring::gaussian))
         throw usage_error("--color: curvature is that of the limit surface; leave out --levels");
+    if (by == coloring::level and not given("levels"))
+        throw usage_error("--color: level needs the levels that are shown; name --levels as well");
     if (by == coloring::tile and not given("tiles"))
         throw usage_error("--color: tile needs the number of tiles; name --tiles as well");
     for (const char* option : {"tiles", "partitioner"})

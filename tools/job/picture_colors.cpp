@@ -23,9 +23,10 @@ namespace kith::tool {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, coloring>, 7> words{{{"plain", coloring::plain},
+constexpr std::array<std::pair<std::string_view, coloring>, 8> words{{{"plain", coloring::plain},
                                                                       {"parent", coloring::parent},
                                                                       {"tile", coloring::tile},
+                                                                      {"level", coloring::level},
                                                                       {"mean", coloring::mean},
                                                                       {"gaussian", coloring::gaussian},
                                                                       {"reflection", coloring::reflection},
@@ -68,6 +69,7 @@ shown_values values_of(const pictured_surface& surface, const color_request& req
         for (const double parent : surface.parents)
             result.values.push_back(std::isfinite(parent) ? double(request.tile_of[std::size_t(parent)]) : parent);
         break;
+    case coloring::level: result.values.assign(surface.shape.face_count(), surface.level); break;
     case coloring::mean:
     case coloring::gaussian:
         result.are_at_vertices = true;
@@ -288,7 +290,7 @@ picture::legend give_colors(std::vector<pictured_surface>& surfaces, const color
     const std::vector<double> sorted = finite_values(all);
     const bool are_signed = request.by == coloring::mean or request.by == coloring::gaussian;
     const bool are_numbers = request.by == coloring::parent or request.by == coloring::tile or
-                             not all.front().labels.empty();
+                             request.by == coloring::level or not all.front().labels.empty();
     const scale range = are_signed ? signed_scale(sorted) : plain_scale(sorted);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         auto& colors = all[i].are_at_vertices ? surfaces[i].shape.vertex_colors : surfaces[i].shape.face_colors;
@@ -300,6 +302,7 @@ picture::legend give_colors(std::vector<pictured_surface>& surfaces, const color
     switch (request.by) {
     case coloring::parent: return {};
     case coloring::tile: return list_of(sorted, {}, "tile");
+    case coloring::level: return list_of(sorted, {}, "level");
     case coloring::mean: return range.as_legend("mean");
     case coloring::gaussian: return range.as_legend("Gaussian");
     default: return are_numbers ? list_of(sorted, all.front().labels, request.name) : range.as_legend(request.name);

@@ -13,7 +13,7 @@ namespace kith::tool {
 
 /// The meaning of the colors of a picture. An attribute is named by `name`; checker and texture are images that lie on
 /// the surface by its texture coordinates.
-enum class coloring : unsigned char { plain, parent, tile, mean, gaussian, reflection, checker, texture, attribute };
+enum class coloring : unsigned char { plain, parent, tile, level, mean, gaussian, reflection, checker, texture, attribute };
 
 struct color_request {
     coloring by = coloring::plain;

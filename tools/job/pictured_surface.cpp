@@ -196,7 +196,9 @@ pictured_surface limit_in_picture(const pictured_job& job, int least_level)
 
 pictured_surface level_in_picture(const pictured_job& job, int level)
 {
-    return pictured(job, refined(job, level, false));
+    pictured_surface result = pictured(job, refined(job, level, false));
+    result.level = level;
+    return result;
 }
 
 pictured_surface curvature_in_picture(const pictured_job& job)

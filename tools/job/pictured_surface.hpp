@@ -20,6 +20,7 @@ struct pictured_surface {
     std::vector<double> parents;                 ///< of polygons: the face of the control mesh; NaN if there is none
     io::mesh_attributes attributes;              ///< of vertices and polygons
     std::vector<surface_curvature> curvatures{}; ///< of vertices, if they were asked for
+    int level = 0;                               ///< of the polygons
 };
 
 /// A control mesh with its scheme, the memory that its refinements may use, and a number of polygons that looks smooth.
