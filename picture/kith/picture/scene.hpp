@@ -40,7 +40,7 @@ struct surface {
     color paint = gray;                     ///< of everything that has no color of its own
     std::vector<color> face_colors{};       ///< of the polygons, or empty
     std::vector<color> vertex_colors{};     ///< of the points, or empty
-    std::shared_ptr<const image> texture{}; ///< comes before all colors, at the places `corner_textures`
+    std::shared_ptr<const image> texture{}; ///< an image in place of all colors
     std::vector<std::array<float, 2>> corner_textures{}; ///< texture coordinates of the corners
     shading light = shading::lit;
     outline edges{};
