@@ -13,7 +13,18 @@ namespace kith::tool {
 
 /// The meaning of the colors of a picture. An attribute is named by `name`; checker and texture are images that lie on
 /// the surface by its texture coordinates.
-enum class coloring : unsigned char { plain, parent, tile, level, mean, gaussian, reflection, checker, texture, attribute };
+enum class coloring : unsigned char {
+    plain,
+    parent,
+    tile,
+    level,
+    mean,
+    gaussian,
+    reflection,
+    checker,
+    texture,
+    attribute
+};
 
 struct color_request {
     coloring by = coloring::plain;
@@ -23,8 +34,8 @@ struct color_request {
     std::shared_ptr<const picture::image> texture{}; ///< of checker and texture
 };
 
-/// Returns the coloring that a word such as "parent", "attribute:NAME" or "texture:FILE" names. The file of a texture is
-/// read. Errors: usage_error; file_error.
+/// Returns the coloring that a word such as "parent", "attribute:NAME" or "texture:FILE" names. The file of a texture
+/// is read. Errors: usage_error; file_error.
 color_request coloring_named(std::string_view word);
 
 /// Removes all attributes but those that give the colors. Errors: usage_error if there is none of this name, whose
