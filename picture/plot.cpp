@@ -59,13 +59,14 @@ public:
         std::vector<double> result;
         if (of_.is_logarithmic and most_ / least_ > 10) {
             const std::vector<double> steps = most_ / least_ > 300 ? std::vector{1.} : std::vector{1., 2., 5.};
-            for (double power = std::pow(10, std::floor(std::log10(least_))); power <= most_; power *= 10)
+            for (double exponent = std::floor(std::log10(least_)); exponent <= std::log10(most_); ++exponent)
                 for (const double step : steps)
-                    if (const double value = step * power; value >= least_ and value <= most_)
+                    if (const double value = step * std::pow(10, exponent); value >= least_ and value <= most_)
                         result.push_back(value);
             return result;
         }
-        if (not(least_ < most_))
+        constexpr double rounding = 1e-9; // numbers that differ by less have one place
+        if (most_ - least_ <= rounding * std::max(std::abs(least_), std::abs(most_)))
             return {least_};
         double step = std::pow(10, std::floor(std::log10(most_ - least_)) - 1);
         for (const double factor : {2., 2.5, 2., 2.}) // 2, 5, 10, 20

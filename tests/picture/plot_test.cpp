@@ -75,6 +75,17 @@ TEST(plot, round_numbers_are_on_the_axes)
         EXPECT_NE(svg.find(tick), std::string::npos) << tick;
 }
 
+TEST(plot, numbers_of_any_size_have_few_lines)
+{
+    for (const double least : {0., 5e-324, 1e16, -1e300})
+        for (const double most : {1e16 + 2, 1e300})
+            for (const bool is_logarithmic : {false, true})
+                if (not is_logarithmic or least > 0) {
+                    const plot sizes{.x = {"", is_logarithmic}, .curves = {{.points = {{least, 0}, {most, 1}}}}};
+                    EXPECT_LT(drawn({sizes}).size(), 200'000U) << least << ' ' << most;
+                }
+}
+
 TEST(plot, a_band_is_as_high_as_its_numbers)
 {
     const std::string svg = drawn({plot{.curves = {{.points = {{3, 0}, {6, 10}}}}, .band = {{4, 5}}, .height = 200}});
