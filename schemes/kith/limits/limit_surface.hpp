@@ -4,6 +4,7 @@
 #include "limit_search.hpp"
 #include "regular_limits.hpp"
 
+#include <kith/core/base/platform.hpp>
 #include <kith/core/level/for_each.hpp>
 #include <kith/hierarchy.hpp>
 #ifdef KITH_COMPILED_SCHEMES
@@ -129,7 +130,7 @@ public:
         if (limit.position)
             surface_.positions[v] = *limit.position;
         if (has_no_normal_[v] != 0 and limit.sides.size() > 1) {
-            const std::scoped_lock lock(sides_are_added_);
+            const std::lock_guard lock(sides_are_added_);
             sides_.emplace_back(v, limit.sides);
         }
         if (limit.normal and has_no_normal_[v] != 0) {
@@ -208,7 +209,7 @@ private:
     limit_surface<Point> surface_;
     std::vector<unsigned char> has_no_normal_;
     std::vector<std::pair<std::size_t, std::vector<limit_side>>> sides_; // of vertices, in any order
-    std::mutex sides_are_added_;
+    mutex sides_are_added_;
 };
 
 } // namespace detail

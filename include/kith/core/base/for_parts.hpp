@@ -2,6 +2,7 @@
 #pragma once
 
 #include "in_library.hpp"
+#include "platform.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -165,7 +166,7 @@ private:
     };
 
     std::vector<alone_in_line> left_; // of each thread
-    std::mutex mutex_;
+    mutex mutex_;
     std::exception_ptr error_;
     std::atomic<std::size_t> part_of_error_ = std::numeric_limits<std::size_t>::max();
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "in_library.hpp"
-#include "sanitized.hpp"
+#include "platform.hpp"
 
 #include <algorithm>
 #include <array>
@@ -141,7 +141,7 @@ private:
                                 [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
     }
 
-    mutable std::mutex mutex_;
+    mutable detail::mutex mutex_;
     std::array<kept_block, 256> kept_{};
     std::size_t kept_count_ = 0;
     std::size_t kept_bytes_ = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "in_library.hpp"
+#include "platform.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -75,7 +76,7 @@ private:
         return place->second;
     }
 
-    std::mutex mutex_;
+    detail::mutex mutex_;
     table of_sequence_;
     number items_ = 0;
 };

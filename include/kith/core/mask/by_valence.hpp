@@ -3,6 +3,8 @@
 
 #include "ring_waves.hpp"
 
+#include <kith/core/base/platform.hpp>
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -69,7 +71,7 @@ public:
 private:
     [[gnu::cold, gnu::noinline]] void make(std::size_t n) const
     {
-        const std::scoped_lock lock(mutex_);
+        const std::lock_guard lock(mutex_);
         if (is_made_[n].load(std::memory_order_relaxed))
             return;
         for (const double weight : row_(n))
@@ -78,7 +80,7 @@ private:
     }
 
     row_function row_;
-    mutable std::mutex mutex_;
+    mutable detail::mutex mutex_;
     mutable std::array<std::vector<Scalar>, longest_row + 1> rows_;
     mutable std::array<std::atomic<bool>, longest_row + 1> is_made_{};
 };

@@ -7,6 +7,7 @@
 
 #include <kith/core/base/for_parts.hpp>
 #include <kith/core/base/large_blocks.hpp>
+#include <kith/core/base/platform.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -126,7 +127,7 @@ private:
     {
         std::vector<std::pair<halfedge, vertex>> boundary; // each with the vertex it leads to
         std::vector<halfedge> leaving(vertex_count_);
-        std::mutex adding;
+        detail::mutex adding;
         detail::for_parts(edge_count_, true, [&](std::size_t begin, std::size_t end) {
             std::vector<std::pair<halfedge, vertex>> found;
             for (std::size_t e = begin; e < end; ++e) {

@@ -3,6 +3,7 @@
 
 #include "patch_template.hpp"
 
+#include <kith/core/base/platform.hpp>
 #include <kith/core/mesh/connect.hpp>
 #include <kith/engine/strategy/strategy_choice.hpp>
 #include <kith/numbering/step/scheme.hpp>
@@ -63,7 +64,7 @@ public:
     }
 
 private:
-    std::mutex mutex_;
+    mutex mutex_;
     std::list<std::pair<Scheme, std::size_t>> schemes_; // and their numbers
     std::size_t last_number_ = 0;
 };
@@ -188,7 +189,7 @@ private:
                 bytes_ += bytes;
         }
 
-        std::mutex mutex_;
+        detail::mutex mutex_;
         lists young_, old_;
         std::size_t bytes_ = 0; // of the young list
         std::unordered_map<std::u16string, template_demand> demands_;

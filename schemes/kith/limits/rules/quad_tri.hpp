@@ -5,6 +5,7 @@
 #include "loop.hpp"
 
 #include <kith/core/base/exact_cos.hpp>
+#include <kith/core/base/platform.hpp>
 #include <kith/quad_tri.hpp>
 #include <kith/schemes/kernel/ring_matrix.hpp>
 
@@ -102,9 +103,9 @@ inline masks_between find_masks_between(const std::vector<bool>& is_quad)
 /// Returns the same, found once for each pattern of quads. Several threads may call it at once.
 inline const masks_between& masks_between_faces(const std::vector<bool>& is_quad)
 {
-    static std::mutex mutex;
+    static detail::mutex mutex;
     static std::map<std::vector<bool>, masks_between> found;
-    const std::scoped_lock lock(mutex);
+    const std::lock_guard lock(mutex);
     const auto place = found.find(is_quad);
     return place != found.end() ? place->second : found.emplace(is_quad, find_masks_between(is_quad)).first->second;
 }

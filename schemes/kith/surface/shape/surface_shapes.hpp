@@ -5,6 +5,7 @@
 #include "refined_part.hpp"
 #include "shape_polynomials.hpp"
 
+#include <kith/core/base/platform.hpp>
 #include <kith/core/mask/stencil.hpp>
 #include <kith/numbering/step/submesh.hpp>
 
@@ -55,7 +56,7 @@ public:
     /// Returns the shape of a part, and for each input of the shape a corner of the part that has it.
     std::pair<shape*, std::vector<Index>> of_part(const part& around)
     {
-        const std::scoped_lock lock(mutex_);
+        const std::lock_guard lock(mutex_);
         return add_part(around);
     }
 
@@ -64,7 +65,7 @@ public:
     {
         if (here.is_decided.load(std::memory_order_acquire))
             return;
-        const std::scoped_lock lock(mutex_);
+        const std::lock_guard lock(mutex_);
         try {
             decide(here);
         } catch (...) { // open shapes can be decided again
@@ -266,7 +267,7 @@ private:
     int rings_;
     [[no_unique_address]] Rule rule_;
     shape_polynomials<shape> polynomials_;
-    std::mutex mutex_;
+    mutex mutex_;
     std::vector<std::unique_ptr<shape>> shapes_;
     std::vector<shape*> open_; // met by a search and not decided
     std::size_t last_number_ = 0;
