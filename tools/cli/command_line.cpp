@@ -46,6 +46,11 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
     po::positional_options_description positions;
     const auto is_optional = [](const std::string& operand) { return operand.starts_with('['); };
     for (const auto& operand : operands) {
+        if (operand.ends_with("...")) {
+            all.add_options()(operand.c_str(), po::value<std::vector<std::string>>());
+            positions.add(operand.c_str(), -1);
+            continue;
+        }
         const std::string name = is_optional(operand) ? operand.substr(1, operand.size() - 2) : operand;
         all.add_options()(name.c_str(), po::value<std::string>());
         positions.add(name.c_str(), 1);
@@ -76,8 +81,8 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
         return std::nullopt;
     }
     for (const auto& operand : operands)
-        if (not is_optional(operand))
-            (void)required(values, operand);
+        if (not is_optional(operand) and values.count(operand) == 0)
+            throw usage_error(operand + " is missing");
     allow_progress(values.count("json") == 0);
     return values;
 }

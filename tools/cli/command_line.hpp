@@ -26,6 +26,7 @@ struct verb {
 int run_refine(const verb&, const std::vector<std::string>& arguments);
 int run_tessellate(const verb&, const std::vector<std::string>& arguments);
 int run_picture(const verb&, const std::vector<std::string>& arguments);
+int run_view(const verb&, const std::vector<std::string>& arguments);
 int run_info(const verb&, const std::vector<std::string>& arguments);
 int run_compare(const verb&, const std::vector<std::string>& arguments);
 int run_plan(const verb&, const std::vector<std::string>& arguments);
@@ -44,8 +45,9 @@ inline void add_flag(boost::program_options::options_description& options, const
 }
 
 /// Returns the values of a verb's options, to which it adds --help and --version, and of its operands. Operands are
-/// words without a dash; they are required, except one in brackets such as "[IN]". Returns nothing if --help or
-/// --version was given, and has then printed the answer. Errors: usage_error.
+/// words without a dash; they are required, except one in brackets such as "[IN]". The last one may be a list such as
+/// "IN...", of one word or more. Returns nothing if --help or --version was given, and has then printed the answer.
+/// Errors: usage_error.
 std::optional<boost::program_options::variables_map> parse(const verb& verb,
                                                            boost::program_options::options_description options,
                                                            const std::vector<std::string>& operands,

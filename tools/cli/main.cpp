@@ -48,6 +48,12 @@ constexpr std::array verbs{
          "  kith picture cow.off -s loop --wire 1 -o cow.png\n"
          "  kith picture house.obj -s catmull-clark --color gaussian --view 30,20 --up y -o house.png\n"
          "  kith picture house.obj -s catmull-clark,doo-sabin -n 0,1,2,3 --color parent -o levels.svg\n"},
+    verb{"view",
+         "Writes a page for browsers in which meshes are refined, turned, picked and changed.",
+         run_view,
+         "Examples:\n"
+         "  kith view cow.off -s loop -n 2 -o cow.html\n"
+         "  kith view cube.obj torus.obj -s catmull-clark,doo-sabin --up y -o gallery.html\n"},
     verb{"info",
          "Reports the contents and the problems of a mesh file; exit code 1 if it has problems.",
          run_info,

@@ -32,17 +32,6 @@ constexpr std::array<std::pair<std::string_view, std::array<double, 2>>, 7> view
      {"top", {0, 90}},
      {"bottom", {0, -90}}}};
 
-std::vector<std::string> parts_of(const std::string& text, char between)
-{
-    std::vector<std::string> result{""};
-    for (const char c : text)
-        if (c == between)
-            result.emplace_back();
-        else
-            result.back() += c;
-    return result;
-}
-
 /// Returns the whole number that a text stands for, or nothing for any other text and for numbers out of a range.
 std::optional<int> whole_number_in(std::string_view text, int least, int most)
 {
@@ -66,6 +55,40 @@ std::vector<int> levels_from(const std::string& text)
         result.push_back(*level);
     }
     return result;
+}
+
+std::pair<int, int> size_from(const std::string& text)
+{
+    const auto parts = parts_of(text, 'x');
+    const auto width = whole_number_in(parts[0], 1, most_pixels);
+    const auto height = parts.size() == 2 ? whole_number_in(parts[1], 1, most_pixels) : std::nullopt;
+    if (not width or not height)
+        throw usage_error("--size: '" + text + "' is no size; give width and height in pixels, up to " +
+                          std::to_string(most_pixels) + ", such as 800x600");
+    return {*width, *height};
+}
+
+bool is_svg_from(const std::string& output)
+{
+    if (output.ends_with(".svg"))
+        return true;
+    if (not output.ends_with(".png"))
+        throw usage_error("picture: '" + output + "' is no name of a picture; give one that ends with .png or .svg");
+    if (not picture::writes_png())
+        throw usage_error("picture: this program was built without libpng; give a name that ends with .svg");
+    return false;
+}
+
+} // namespace
+
+void add_view_options(po::options_description& options)
+{
+    add_option<std::string>(options,
+                            "view",
+                            "VIEW",
+                            "isometric (default), front, back, left, right, top, bottom, or azimuth and elevation in "
+                            "degrees, such as 30,20");
+    add_option<std::string>(options, "up", "AXIS", "the axis that points upward: x, y or z (default)");
 }
 
 picture::view view_from(const po::variables_map& values)
@@ -96,30 +119,6 @@ picture::view view_from(const po::variables_map& values)
     return result;
 }
 
-std::pair<int, int> size_from(const std::string& text)
-{
-    const auto parts = parts_of(text, 'x');
-    const auto width = whole_number_in(parts[0], 1, most_pixels);
-    const auto height = parts.size() == 2 ? whole_number_in(parts[1], 1, most_pixels) : std::nullopt;
-    if (not width or not height)
-        throw usage_error("--size: '" + text + "' is no size; give width and height in pixels, up to " +
-                          std::to_string(most_pixels) + ", such as 800x600");
-    return {*width, *height};
-}
-
-bool is_svg_from(const std::string& output)
-{
-    if (output.ends_with(".svg"))
-        return true;
-    if (not output.ends_with(".png"))
-        throw usage_error("picture: '" + output + "' is no name of a picture; give one that ends with .png or .svg");
-    if (not picture::writes_png())
-        throw usage_error("picture: this program was built without libpng; give a name that ends with .svg");
-    return false;
-}
-
-} // namespace
-
 po::options_description options_of_picture()
 {
     po::options_description options("Options");
@@ -138,12 +137,7 @@ po::options_description options_of_picture()
         "curvature, reflection lines, checker or texture:FILE by texture coordinates, or attribute:NAME");
     add_option<std::int64_t>(options, "tiles", "N", "the number of tiles for --color tile");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
-    add_option<std::string>(options,
-                            "view",
-                            "VIEW",
-                            "isometric (default), front, back, left, right, top, bottom, or azimuth and elevation in "
-                            "degrees, such as 30,20");
-    add_option<std::string>(options, "up", "AXIS", "the axis that points upward: x, y or z (default)");
+    add_view_options(options);
     add_option<std::string>(options, "size", "WxH", "width and height in pixels, such as 800x600");
     add_flag(options, "transparent", "leave out the white background");
     add_flag(options, "json", "print the result line as JSON");

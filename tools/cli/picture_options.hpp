@@ -31,6 +31,11 @@ struct picture_request {
     bool is_transparent = false;
 };
 
+/// Adds --view and --up, which `view_from` reads.
+void add_view_options(boost::program_options::options_description& options);
+/// Returns the direction of the viewer. Errors: usage_error.
+picture::view view_from(const boost::program_options::variables_map& values);
+
 boost::program_options::options_description options_of_picture();
 
 /// Returns the request of a command line. Errors: usage_error, whose text names the option and what it takes;

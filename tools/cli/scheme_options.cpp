@@ -7,6 +7,24 @@
 
 namespace kith::tool {
 
+void add_control_mesh_options(boost::program_options::options_description& options)
+{
+    add_option<double>(options,
+                       "crease-angle",
+                       "DEGREES",
+                       "catmull-clark, loop: sharpen edges whose face normals differ by more than DEGREES");
+    add_option<double>(
+        options, "crease-sharpness", "S", "make these edges sharp for S levels (default: on all levels)");
+    add_option<std::string>(options,
+                            "crease-method",
+                            "WORD",
+                            "how the sharpness of creases in the file decays: " + all_words<crease_method>());
+    add_flag(options,
+             "triangulate",
+             "cut faces into triangles first: quads along the better diagonal, others in their planes");
+    add_flag(options, "ignore-tags", "ignore the tags of an OBJ file (creases, corners, holes, boundary rules)");
+}
+
 void add_scheme_options(boost::program_options::options_description& options, bool with_levels)
 {
     add_option<std::string>(options, "scheme,s", "SCHEME", scheme_names());
@@ -26,22 +44,9 @@ void add_scheme_options(boost::program_options::options_description& options, bo
                             "WORD",
                             "doo-sabin: " + all_words<doo_sabin_boundary>() +
                                 "; catmull-clark: " + all_words<boundary_curve>());
-    add_option<double>(options,
-                       "crease-angle",
-                       "DEGREES",
-                       "catmull-clark, loop: sharpen edges whose face normals differ by more than DEGREES");
-    add_option<double>(
-        options, "crease-sharpness", "S", "make these edges sharp for S levels (default: on all levels)");
-    add_option<std::string>(options,
-                            "crease-method",
-                            "WORD",
-                            "how the sharpness of creases in the file decays: " + all_words<crease_method>());
+    add_control_mesh_options(options);
     add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472 (default: 1)");
     add_option<int>(options, "degree", "N", "unified: degree of the B-spline, 1 to 9 (default: 3)");
-    add_flag(options,
-             "triangulate",
-             "cut faces into triangles first: quads along the better diagonal, others in their planes");
-    add_flag(options, "ignore-tags", "ignore the tags of an OBJ file (creases, corners, holes, boundary rules)");
 }
 
 scheme_words scheme_words_of(const boost::program_options::variables_map& values)

@@ -11,6 +11,9 @@ namespace kith::tool {
 /// Adds --scheme and the options that choose between the forms of a scheme, and --levels if `with_levels` is true.
 void add_scheme_options(boost::program_options::options_description& options, bool with_levels = true);
 
+/// Adds the options that change the control mesh: its creases, and whether it is cut into triangles.
+void add_control_mesh_options(boost::program_options::options_description& options);
+
 scheme_words scheme_words_of(const boost::program_options::variables_map& values);
 
 /// Adds --uv.

@@ -153,7 +153,7 @@ public:
             const std::uint64_t first = base_[i] - start_[i];
             return start_[i] + std::clamp(tuple, first, first + count(i));
         };
-        return {before(tuples.begin), before(tuples.end)};
+        return {std::size_t(before(tuples.begin)), std::size_t(before(tuples.end))};
     }
     /// Returns the tuple that made an element. Precondition: id < total().
     [[nodiscard]] std::pair<tuple_kind, std::uint64_t> origin(std::uint64_t id) const
