@@ -16,6 +16,14 @@ cd docs
 "$bin/example_tessellations" "$meshes/hand.off" 85 >hand.svg
 "$bin/example_thin_shells" 3 thin_shells.svg >/dev/null
 
+# A page in a browser.
+page=$(mktemp -d)
+trap 'rm -r "$page"' EXIT
+"$bin/example_figures" "$page" >/dev/null
+"$bin/kith" view "$page/t_shape.obj" -s catmull-clark,doo-sabin -o "$page/page.html" >/dev/null
+chromium --headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars \
+    --window-size=1000,620 --virtual-time-budget=5000 --screenshot=view.png "file://$page/page.html" 2>/dev/null
+
 # Four cubes.
 "$bin/kith" picture - -s catmull-clark,doo-sabin -n 0,1,2,3 --color parent --view 25,30 --size 1000x460 -o levels.svg <<'END'
 OFF 20 18 0

@@ -119,9 +119,10 @@ class Page {
         for (let v = 0; 3 * v < points.length; ++v)
             doubled.set(dots(v), 6 * v);
         (this.cage ?? []).forEach(({ made }) => this.renderer.free(made));
-        const lines = (values, width, ink) => ({ made: this.renderer.makeLines(values), width, ink, lift: .001 });
-        this.cage = [lines(ends, 1.4, cageInk), lines(doubled, 6, cageInk), lines(Float32Array.from(sharp), 3, sharpInk),
-                     lines(Float32Array.from(sharpDots), 9, sharpInk)];
+        const lines = (values, width, ink, lift) => ({ made: this.renderer.makeLines(values), width, ink, lift });
+        this.cage = [lines(ends, 1.4, cageInk, .001), lines(doubled, 6, cageInk, .001),
+                     lines(Float32Array.from(sharp), 3, sharpInk, .0015),
+                     lines(Float32Array.from(sharpDots), 9, sharpInk, .0015)];
     }
 
     free(panel) {
