@@ -68,13 +68,13 @@ TEST(Viewer, NormalsAreSmoothExceptAtSharpEdges)
 {
     surface_of_scheme<catmull_clark> box(cube());
     const auto normals = [&](bool is_smooth) {
-        std::vector<std::array<std::int8_t, 4>> result;
+        std::vector<drawn_normal> result;
         for (const drawn_corner& c : triangles_of(box, 0, is_smooth))
             if (c.position == std::array<float, 3>{1, 1, 1})
                 result.push_back(c.normal);
         return result;
     };
-    const std::array<std::int8_t, 4> diagonal{73, 73, 73, 0}; // 127 / sqrt(3)
+    const drawn_normal diagonal{73, 73, 73, 0}; // 127 / sqrt(3)
     for (const auto& normal : normals(true))
         EXPECT_EQ(normal, diagonal);
     for (const auto& normal : normals(false))

@@ -51,11 +51,25 @@ std::array<float, 3> drawn(const point& p)
     return {float(p[0]), float(p[1]), float(p[2])};
 }
 
-std::array<std::int8_t, 4> drawn_normal(const point& n)
+drawn_normal drawn_normal_of(const point& n)
 {
     const double scale = 127 / std::fmax(length(n), std::numeric_limits<double>::min());
     const auto byte = [&](double x) { return std::int8_t(std::lround(x * scale)); };
     return {byte(n[0]), byte(n[1]), byte(n[2]), 0};
+}
+
+/// Returns the mean of the normals of the faces around each vertex, weighted by their areas.
+std::vector<drawn_normal> vertex_normals(const level_type& level)
+{
+    std::vector<point> sums(level.vertex_count());
+    for (const auto f : level.faces()) {
+        const point normal = normal_of(f);
+        for (const auto c : f.corners())
+            sums[c.v().index()] += normal;
+    }
+    std::vector<drawn_normal> result(sums.size());
+    std::ranges::transform(sums, result.begin(), drawn_normal_of);
+    return result;
 }
 
 /// Calls function(triangle) with the three corners of each triangle of a face.
@@ -148,24 +162,17 @@ std::uint8_t byte_of(float x)
 std::vector<drawn_corner> triangles_of(const surface& shape, int level_number, bool is_smooth)
 {
     const level_type& level = shape.elements(level_number);
-    std::vector<point> normals(is_smooth ? level.vertex_count() : 0);
-    for (const auto f : level.faces())
-        if (is_smooth) {
-            const point normal = normal_of(f);
-            for (const auto c : f.corners())
-                normals[c.v().index()] += normal;
-        }
+    const auto normals = is_smooth ? vertex_normals(level) : std::vector<drawn_normal>();
     const std::vector<bool> is_flat = vertices_at_sharp_edges(level, shape.sharpness(level_number));
     std::vector<drawn_corner> result;
     result.reserve(3 * (level.corner_count() - 2 * level.face_count()));
     for (const auto f : level.faces()) {
-        const auto flat = drawn_normal(normal_of(f));
+        const auto normal = [&](std::size_t v) {
+            return is_smooth and not is_flat[v] ? normals[v] : drawn_normal_of(normal_of(f));
+        };
         for_each_triangle(f, [&](const auto& corners) {
-            for (const auto c : corners) {
-                const std::size_t v = c.v().index();
-                result.push_back(
-                    {drawn(c.v().point()), is_smooth and not is_flat[v] ? drawn_normal(normals[v]) : flat});
-            }
+            for (const auto c : corners)
+                result.push_back({drawn(c.v().point()), normal(c.v().index())});
         });
     }
     return result;

@@ -12,10 +12,13 @@
 
 namespace kith::viewer {
 
-/// A corner of a triangle as a graphics card takes it. The normal is a unit vector times 127.
+/// A unit vector times 127, and a byte that fills a word.
+using drawn_normal = std::array<std::int8_t, 4>;
+
+/// A corner of a triangle as a graphics card takes it.
 struct drawn_corner {
     std::array<float, 3> position;
-    std::array<std::int8_t, 4> normal;
+    drawn_normal normal;
 };
 
 /// Red, green, blue and opacity from 0 to 255.
