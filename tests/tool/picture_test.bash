@@ -113,6 +113,15 @@ drawn levels.svg cube.off -s catmull-clark -n 0,2,3 --color level
 has levels.svg '>level</text>'
 for level in 0 2 3; do has levels.svg ">$level</text>"; done
 
+# Tile t lies on rank t modulo the ranks; without --tiles each rank has a tile.
+drawn ranks.svg cube.off -s catmull-clark -n 0 --color rank --ranks 2 --tiles 6 --partitioner block
+has ranks.svg '>rank</text>'
+has ranks.svg '>1</text>'
+check "the last of two ranks is 1" test "$(grep -c '>2</text>' ranks.svg)" -eq 0
+drawn tiles.svg cube.off -s catmull-clark -n 0 --color tile --tiles 2 --partitioner block
+drawn again.svg cube.off -s catmull-clark -n 0 --color rank --ranks 2 --partitioner block
+check "a rank each is a tile each" cmp -s <(sed 's/>rank</>tile</' again.svg) tiles.svg
+
 # Holes are left out.
 {
     sed -n '3,10s/^/v /p' cube.off
@@ -148,7 +157,7 @@ wrong "--size: '0x9' is no size" cube.off -s catmull-clark --size 0x9 -o no.svg
 wrong "--levels: '1.5' is no level; give levels from 0 to 20" cube.off -s catmull-clark -n 0,1.5 -o no.svg
 wrong '--wire: give a level from 0 to 20' cube.off -s catmull-clark --wire -1 -o no.svg
 wrong '--wire: applies to the limit surface' cube.off -s catmull-clark --wire 1 -n 2 -o no.svg
-wrong "--color: 'nice' is not one of plain, parent, tile, level, mean, gaussian, reflection, checker, attribute:NAME, texture:FILE" \
+wrong "--color: 'nice' is not one of plain, parent, tile, rank, level, mean, gaussian, reflection, checker, attribute:NAME, texture:FILE" \
     cube.off -s catmull-clark --color nice -o no.svg
 wrong 'the file has none' cube.off -s catmull-clark --color attribute:heat -o no.svg
 wrong 'the attributes are quality, part' valued.ply -s loop --color attribute:heat -o no.svg
@@ -158,7 +167,9 @@ exits 1
 says '^kith: cube.off: picture: '
 wrong 'name --levels as well' cube.off -s catmull-clark --color level -o no.svg
 wrong 'name --tiles as well' cube.off -s catmull-clark --color tile -o no.svg
-wrong '--tiles: applies to --color tile only' cube.off -s catmull-clark --tiles 3 -o no.svg
+wrong 'name --ranks as well' cube.off -s catmull-clark --color rank -o no.svg
+wrong '--ranks: applies to --color rank only' cube.off -s catmull-clark --color tile --tiles 2 --ranks 2 -o no.svg
+wrong '--tiles: applies to --color tile and rank only' cube.off -s catmull-clark --tiles 3 -o no.svg
 wrong 'leave out --levels' cube.off -s catmull-clark --color mean -n 1 -o no.svg
 wrong "'doo-sabin' is not possible here; the schemes are catmull-clark and loop" \
     cube.off -s doo-sabin --color mean -o no.svg

@@ -133,9 +133,11 @@ po::options_description options_of_picture()
         options,
         "color",
         "WORD",
-        "the meaning of colors: plain, parent (face of the control mesh), tile, level, mean or gaussian "
+        "the meaning of colors: plain, parent (face of the control mesh), tile, rank, level, mean or gaussian "
         "curvature, reflection lines, checker or texture:FILE by texture coordinates, or attribute:NAME");
-    add_option<std::int64_t>(options, "tiles", "N", "the number of tiles for --color tile");
+    add_option<std::int64_t>(options, "tiles", "N", "the number of tiles for --color tile and rank");
+    add_option<std::int64_t>(
+        options, "ranks", "N", "the number of ranks for --color rank; without --tiles each has one tile");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_view_options(options);
     add_option<std::string>(options, "size", "WxH", "width and height in pixels, such as 800x600");
@@ -170,10 +172,16 @@ picture_request picture_request_from(const po::variables_map& values)
         throw usage_error("--color: level needs the levels that are shown; name --levels as well");
     if (by == coloring::tile and not given("tiles"))
         throw usage_error("--color: tile needs the number of tiles; name --tiles as well");
+    if (by == coloring::rank and not given("ranks"))
+        throw usage_error("--color: rank needs the number of ranks; name --ranks as well");
     for (const char* option : {"tiles", "partitioner"})
-        if (by != coloring::tile and given(option))
-            throw usage_error("--" + std::string(option) + ": applies to --color tile only; name it as well");
-    result.color.tiles = std::size_t(count_from(values, "tiles", most_tiles_per_rank));
+        if (by != coloring::tile and by != coloring::rank and given(option))
+            throw usage_error("--" + std::string(option) + ": applies to --color tile and rank only; name one as well");
+    if (by != coloring::rank and given("ranks"))
+        throw usage_error("--ranks: applies to --color rank only; name it as well");
+    result.color.ranks = std::size_t(count_from(values, "ranks", most_ranks));
+    result.color.tiles = given("tiles") ? std::size_t(count_from(values, "tiles", most_tiles_per_rank))
+                                        : result.color.ranks;
     result.partitioner = partitioner_from(values);
     result.view = view_from(values);
     if (given("size"))

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -131,8 +132,12 @@ int run_picture(const verb& verb, const std::vector<std::string>& arguments)
         scheme_words own_words = words;
         give_creases(schemes[i], control, own_words);
         keep_colored(control.attributes, request.color);
-        if (request.color.by == coloring::tile)
-            request.color.tile_of = make_partition(request.partitioner, control.mesh, request.color.tiles).part_of;
+        if (request.color.by == coloring::tile or request.color.by == coloring::rank) {
+            request.color.part_of = make_partition(request.partitioner, control.mesh, request.color.tiles).part_of;
+            if (request.color.by == coloring::rank)
+                for (auto& part : request.color.part_of)
+                    part %= std::uint32_t(request.color.ranks);
+        }
         constexpr std::size_t enough_for_pixels = 100'000, enough_for_svg = 4'000;
         const pictured_job job{
             schemes[i], control, memory_limit_from(*values), request.is_svg ? enough_for_svg : enough_for_pixels};

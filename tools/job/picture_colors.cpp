@@ -23,9 +23,10 @@ namespace kith::tool {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, coloring>, 8> words{{{"plain", coloring::plain},
+constexpr std::array<std::pair<std::string_view, coloring>, 9> words{{{"plain", coloring::plain},
                                                                       {"parent", coloring::parent},
                                                                       {"tile", coloring::tile},
+                                                                      {"rank", coloring::rank},
                                                                       {"level", coloring::level},
                                                                       {"mean", coloring::mean},
                                                                       {"gaussian", coloring::gaussian},
@@ -66,8 +67,9 @@ shown_values values_of(const pictured_surface& surface, const color_request& req
     switch (request.by) {
     case coloring::parent: result.values = surface.parents; break;
     case coloring::tile:
+    case coloring::rank:
         for (const double parent : surface.parents)
-            result.values.push_back(std::isfinite(parent) ? double(request.tile_of[std::size_t(parent)]) : parent);
+            result.values.push_back(std::isfinite(parent) ? double(request.part_of[std::size_t(parent)]) : parent);
         break;
     case coloring::level: result.values.assign(surface.shape.face_count(), surface.level); break;
     case coloring::mean:
@@ -290,7 +292,8 @@ picture::legend give_colors(std::vector<pictured_surface>& surfaces, const color
     const std::vector<double> sorted = finite_values(all);
     const bool are_signed = request.by == coloring::mean or request.by == coloring::gaussian;
     const bool are_numbers = request.by == coloring::parent or request.by == coloring::tile or
-                             request.by == coloring::level or not all.front().labels.empty();
+                             request.by == coloring::rank or request.by == coloring::level or
+                             not all.front().labels.empty();
     const scale range = are_signed ? signed_scale(sorted) : plain_scale(sorted);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         auto& colors = all[i].are_at_vertices ? surfaces[i].shape.vertex_colors : surfaces[i].shape.face_colors;
@@ -302,6 +305,7 @@ picture::legend give_colors(std::vector<pictured_surface>& surfaces, const color
     switch (request.by) {
     case coloring::parent: return {};
     case coloring::tile: return list_of(sorted, {}, "tile");
+    case coloring::rank: return list_of(sorted, {}, "rank");
     case coloring::level: return list_of(sorted, {}, "level");
     case coloring::mean: return range.as_legend("mean");
     case coloring::gaussian: return range.as_legend("Gaussian");

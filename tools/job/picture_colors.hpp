@@ -17,6 +17,7 @@ enum class coloring : unsigned char {
     plain,
     parent,
     tile,
+    rank,
     level,
     mean,
     gaussian,
@@ -29,8 +30,8 @@ enum class coloring : unsigned char {
 struct color_request {
     coloring by = coloring::plain;
     std::string name{};
-    std::vector<std::uint32_t> tile_of{}; ///< for each face of the control mesh
-    std::size_t tiles = 0;
+    std::vector<std::uint32_t> part_of{};            ///< the tile or the rank of each face of the control mesh
+    std::size_t tiles = 0, ranks = 0;                ///< tile t lies on rank t modulo `ranks`
     std::shared_ptr<const picture::image> texture{}; ///< of checker and texture
 };
 
