@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""scaling.py BIN [--mesh FILE] [--scheme S] [--levels N] [--output DIR] [--repeats R]: seconds of each phase of kith-mpi on 1, 2, 4 and
+"""scaling.py BIN [--mesh FILE] [--scheme S] [--levels N] [--output DIR] [--repeats R] [--plot SVG]: seconds of each phase of kith-mpi on 1, 2, 4 and
 8 ranks, and on one process without MPI, for one surface (strong) and for one that grows with the ranks (weak). Then a curve to 1024
 ranks, which is computed: one process does all that the ranks would do, in as many tiles, and the rank with the largest share of the
 faces, which `kith plan` tells, has that share of refining and writing. BIN has kith and kith-mpi. Without FILE the surface is a
-torus."""
+torus. BIN/plot draws the measured jobs into SVG, with lines of ideal scaling from one rank on."""
 
 import argparse
 import json
@@ -109,6 +109,17 @@ def print_curve(jobs, mesh, rows):
           "wait for one another at a file.")
 
 
+def plot_of(title, rows, ideal):
+    """Returns the plot of jobs of MPI. `ideal` takes the seconds on one rank and a number of ranks."""
+    rows = {ranks: row for ranks, row in rows.items() if ranks}
+    curves = [{"name": name, "points": [[ranks, row[name]] for ranks, row in rows.items()], "is_dashed": False}
+              for name in ("job", "refine", "write")]
+    curves += [{"name": "ideal", "points": [[ranks, ideal(rows[1][name], ranks)] for ranks in rows], "is_dashed": True}
+               for name in ("job", "refine")]
+    return {"title": title, "x": {"title": "ranks", "is_logarithmic": True},
+            "y": {"title": "seconds", "is_logarithmic": True}, "curves": curves}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("bin")
@@ -118,6 +129,7 @@ def main():
     parser.add_argument("--format", default="ply", choices=("ply", "vtu"))
     parser.add_argument("--output", help="the directory to write to; a temporary one if not given")
     parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--plot", help="the .svg to draw the measured jobs into")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(dir=options.output) as directory:
         jobs = Jobs(options, directory)
@@ -128,8 +140,16 @@ def main():
         strong = jobs.medians(dict.fromkeys((0,) + MEASURED, mesh), (0,) + MEASURED)
         print_table(f"{os.path.basename(mesh)}, {options.scheme}, {options.levels} levels, .{options.format}: "
                     "seconds of each phase, on the rank where it takes longest", strong)
+        plots = [plot_of("One surface (strong scaling)", strong, lambda one, ranks: one / ranks)]
         if not options.mesh:
-            print_table("A torus of 3072 quads for each rank", jobs.medians(torus, MEASURED))
+            weak = jobs.medians(torus, MEASURED)
+            print_table("A torus of 3072 quads for each rank", weak)
+            plots.append(plot_of("As much surface for each rank (weak scaling)", weak, lambda one, ranks: one))
+        if options.plot:
+            note = (f"{options.scheme}, {options.levels} levels, .{options.format}: seconds on the slowest rank, medians of "
+                    f"{options.repeats}; {os.cpu_count()} processors")
+            subprocess.run([os.path.join(options.bin, "plot"), options.plot], check=True, text=True,
+                           input=json.dumps({"note": note, "plots": plots}))
         print_curve(jobs, mesh, strong)
 
 
