@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of README, pages and site again, in docs: tools/pictures.sh [BIN, usually build/release/bin].
-# docs/sizes.svg and docs/scaling.svg show times: benchmark --curves and scaling.py --plot, see comparisons/README.md.
+# docs/sizes.svg and docs/scaling.svg show times: benchmark --plot and scaling.py --plot, see comparisons/README.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=$PWD/${1:-build/release/bin}

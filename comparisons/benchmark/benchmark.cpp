@@ -86,10 +86,13 @@ std::optional<options::variables_map> parse(int count, char** words)
         "faces-target", options::value<double>()->default_value(4718592), "about how many faces to refine to")(
         "sizes", options::value<std::string>(), "or to each of these numbers of faces, as 1000,100000")(
         "repeats", options::value<int>()->default_value(5), "runs of each; medians are printed")(
-        "threads", options::value<int>()->default_value(1), "kith's threads; the peers have one")(
+        "threads",
+        options::value<std::string>()->default_value("1"),
+        "kith's threads, or several numbers of them, as 1,2,4; the peers have one")(
         "json", options::value<std::string>(), "write all runs to this file")(
-        "svg", options::value<std::string>(), "draw the medians into this file")(
-        "curves", options::value<std::string>(), "draw them over the number of faces into this file");
+        "plot",
+        options::value<std::string>(),
+        "draw the medians into this .svg: over sizes or threads, if several are given, else as bars");
     options::variables_map values;
     store(options::parse_command_line(count, words, all), values);
     notify(values);
@@ -100,25 +103,40 @@ std::optional<options::variables_map> parse(int count, char** words)
             << all;
         return std::nullopt;
     }
-    if (values["repeats"].as<int>() < 1 or values["threads"].as<int>() < 1 or values["faces-target"].as<double>() < 1)
-        throw options::error("--repeats, --threads and --faces-target are 1 or more");
+    if (values["repeats"].as<int>() < 1 or values["faces-target"].as<double>() < 1)
+        throw options::error("--repeats and --faces-target are 1 or more");
     return values;
 }
 
-/// Returns the numbers of faces to refine to. Errors: options::error for an entry that is not a number of at least 1.
-std::vector<double> sizes_from(const options::variables_map& values)
+/// Returns the numbers of an option. Errors: options::error for an entry that is not a number of at least 1.
+template <class Number>
+std::vector<Number> numbers_from(const options::variables_map& values, const std::string& option)
 {
-    if (not values.count("sizes"))
-        return {values["faces-target"].as<double>()};
-    std::vector<double> result;
-    std::istringstream words(values["sizes"].as<std::string>());
+    std::vector<Number> result;
+    std::istringstream words(values[option].as<std::string>());
     for (std::string one; std::getline(words, one, ',');) {
         std::istringstream word(one);
-        if (double size = 0; word >> size and word.eof() and size >= 1)
-            result.push_back(size);
+        if (Number number = 0; word >> number and word.eof() and number >= 1)
+            result.push_back(number);
         else
-            throw options::error("--sizes: '" + one + "' is no number of faces; write them as 1000,100000");
+            throw options::error("--" + option + ": '" + one + "' is no number from 1 on; write them as 1,100");
     }
+    return result;
+}
+
+/// Returns a contest for each number of threads, which contestants without a number of their own have.
+std::vector<contest> on_threads(const std::vector<contest>& contests, const std::vector<int>& threads)
+{
+    std::vector<contest> result;
+    for (const contest& one : contests)
+        for (const int count : threads) {
+            result.push_back(one);
+            if (threads.size() > 1)
+                result.back().mesh += ", " + std::to_string(count) + " threads";
+            for (auto& contestant : result.back().contestants)
+                if (contestant.threads == 0)
+                    contestant.threads = count;
+        }
     return result;
 }
 
@@ -143,9 +161,13 @@ void run_all(const options::variables_map& values)
     omp_set_num_threads(1); // one thread only: this process forks
 #endif
     auto settings = settings_from(values);
-    const auto sizes = sizes_from(values);
+    const auto sizes = values.count("sizes") ? numbers_from<double>(values, "sizes")
+                                             : std::vector{values["faces-target"].as<double>()};
+    const auto threads = numbers_from<int>(values, "threads");
+    if (sizes.size() > 1 and threads.size() > 1)
+        throw options::error("--sizes and --threads: a plot is over one of them; give several numbers to one only");
     auto facts = machine();
-    facts["threads of kith"] = std::to_string(values["threads"].as<int>());
+    facts["threads of kith"] = values["threads"].as<std::string>();
     facts["runs"] = std::to_string(values["repeats"].as<int>()) + " of each in turn, medians";
     std::vector<contest> contests;
     for (const auto& peer : peers)
@@ -161,17 +183,21 @@ void run_all(const options::variables_map& values)
                   [&](const contest& one) { return not is_in(values["schemes"].as<std::string>(), one.scheme); });
     if (contests.empty())
         throw options::error("--peers, --schemes and --meshes: there is nothing that both name");
+    contests = on_threads(contests, threads);
     print(facts);
     for (auto& contest : contests) {
-        run(contest, values["repeats"].as<int>(), values["threads"].as<int>());
+        run(contest, values["repeats"].as<int>());
         print(contest);
     }
     if (values.count("json"))
         write_json(values["json"].as<std::string>(), facts, contests);
-    if (values.count("svg"))
-        write_bars(values["svg"].as<std::string>(), facts, contests);
-    if (values.count("curves"))
-        write_curves(values["curves"].as<std::string>(), facts, contests);
+    if (not values.count("plot"))
+        return;
+    const auto plot = values["plot"].as<std::string>();
+    if (sizes.size() > 1 or threads.size() > 1)
+        write_curves(plot, facts, contests, sizes.size() > 1 ? curves_over::faces : curves_over::threads);
+    else
+        write_bars(plot, facts, contests);
 }
 
 } // namespace

@@ -89,7 +89,7 @@ void touch_memory(std::size_t bytes)
         waitpid(child, nullptr, 0);
 }
 
-measurement measure_in_child(const contestant& contestant, [[maybe_unused]] int threads)
+measurement measure_in_child(const contestant& contestant)
 {
     int ends[2];
     if (pipe(ends) != 0)
@@ -101,7 +101,7 @@ measurement measure_in_child(const contestant& contestant, [[maybe_unused]] int 
         int code = 1;
         try {
 #if defined(_OPENMP)
-            omp_set_num_threads(threads);
+            omp_set_num_threads(std::max(1, contestant.threads));
 #endif
             const measurement result = measure(contestant);
             if (write(ends[1], &result, sizeof(result)) == ssize_t(sizeof(result)))
@@ -124,14 +124,13 @@ measurement measure_in_child(const contestant& contestant, [[maybe_unused]] int 
 
 } // namespace
 
-void run(contest& contest, int repeats, int threads)
+void run(contest& contest, int repeats)
 {
     constexpr std::size_t most_bytes_per_face = 640; // no peer needs more
     for (int i = 0; i < repeats; ++i)
         for (auto& contestant : contest.contestants) {
             touch_memory(most_bytes_per_face * contest.faces);
-            contestant.runs.push_back(
-                measure_in_child(contestant, contestant.threads != 0 ? contestant.threads : threads));
+            contestant.runs.push_back(measure_in_child(contestant));
         }
 }
 

@@ -24,7 +24,7 @@ struct contestant {
     std::string name;
     std::function<work()> prepare; ///< makes the control mesh, untimed
     std::vector<measurement> runs;
-    int threads = 0; ///< 0: as many as the other contestants
+    int threads = 0; ///< 0: the number of --threads, or 1
 };
 
 /// A refinement that several contestants do. The first contestant is the peer that the others are compared with.
@@ -38,7 +38,7 @@ struct contest {
 
 /// Runs the contestants in turn, a b c a b c ..., each run in a process of its own. So no contestant finds memory that
 /// another one has touched, and each has its own memory peak. Errors: std::runtime_error if a run fails.
-void run(contest& contest, int repeats, int threads);
+void run(contest& contest, int repeats);
 
 /// Returns the median of a value over the runs, or the mean of the two middle values.
 double median(const std::vector<measurement>& runs, const std::function<double(const measurement&)>& value);

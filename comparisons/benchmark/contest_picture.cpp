@@ -38,29 +38,33 @@ picture::bar_chart bars_of(const contest& contest)
     return chart;
 }
 
-/// The runs of a contestant by numbers of faces. A contestant may take part in several contests.
-struct runs_by_size {
+/// The nanoseconds per face of a contestant's runs, by numbers of faces or of threads. A contestant may take part in
+/// several contests.
+struct runs_by_number {
     std::string contestant;
     std::map<std::uint64_t, std::vector<measurement>> runs{};
+    std::map<std::uint64_t, std::uint64_t> faces{}; ///< of the last level
 };
 
 /// Returns the runs of all contestants of one scheme, in the order of their first appearance.
-std::vector<runs_by_size> runs_of(const std::string& scheme, const std::vector<contest>& contests)
+std::vector<runs_by_number> runs_of(const std::string& scheme, const std::vector<contest>& contests, curves_over over)
 {
-    std::vector<runs_by_size> result;
+    std::vector<runs_by_number> result;
     for (const auto& contest : contests)
         if (contest.scheme == scheme)
             for (const auto& contestant : contest.contestants) {
-                auto found = std::ranges::find(result, contestant.name, &runs_by_size::contestant);
+                auto found = std::ranges::find(result, contestant.name, &runs_by_number::contestant);
                 if (found == result.end())
                     found = result.insert(result.end(), {contestant.name});
-                auto& all = found->runs[contest.faces];
+                const auto number = over == curves_over::faces ? contest.faces : std::uint64_t(contestant.threads);
+                found->faces[number] = contest.faces;
+                auto& all = found->runs[number];
                 all.insert(all.end(), contestant.runs.begin(), contestant.runs.end());
             }
     return result;
 }
 
-picture::plot curves_of(const std::string& scheme, const std::vector<contest>& contests)
+picture::plot curves_of(const std::string& scheme, const std::vector<contest>& contests, curves_over over)
 {
     static constexpr std::array theirs{color{.53F, .53F, .53F},
                                        color{.73F, .6F, .27F},
@@ -76,18 +80,18 @@ picture::plot curves_of(const std::string& scheme, const std::vector<contest>& c
                                      color{1, .5F, .05F},
                                      color{.17F, .63F, .17F}};
     picture::plot plot{.title = scheme,
-                       .x = {"faces of the last level", true},
+                       .x = {over == curves_over::faces ? "faces of the last level" : "threads", true},
                        .y = {"nanoseconds per face", true},
                        .notes = {"dashed: first in a process", "solid: the same again"}};
     std::size_t our_next = 0, their_next = 0;
-    for (const auto& [contestant, runs] : runs_of(scheme, contests)) {
+    for (const auto& [contestant, runs, faces] : runs_of(scheme, contests, over)) {
         const color& paint = is_ours(contestant) ? ours[our_next++ % ours.size()]
                                                  : theirs[their_next++ % theirs.size()];
         for (const auto& [seconds, is_dashed] :
              {std::pair(&measurement::seconds, true), std::pair(&measurement::seconds_again, false)}) {
             picture::curve curve{contestant, {}, paint, is_dashed};
-            for (const auto& [faces, measured] : runs)
-                curve.points.push_back({double(faces), nanoseconds_per_face(measured, seconds, faces)});
+            for (const auto& [number, measured] : runs)
+                curve.points.push_back({double(number), nanoseconds_per_face(measured, seconds, faces.at(number))});
             plot.curves.push_back(std::move(curve));
         }
     }
@@ -118,14 +122,14 @@ void write_bars(const std::string& path, const std::map<std::string, std::string
 }
 
 void write_curves(const std::string& path, const std::map<std::string, std::string>& facts,
-                  const std::vector<contest>& contests)
+                  const std::vector<contest>& contests, curves_over over)
 {
     std::vector<std::string> schemes;
     std::vector<picture::diagram> diagrams;
     for (const auto& contest : contests)
         if (std::ranges::find(schemes, contest.scheme) == schemes.end()) {
             schemes.push_back(contest.scheme);
-            diagrams.emplace_back(curves_of(contest.scheme, contests));
+            diagrams.emplace_back(curves_of(contest.scheme, contests, over));
         }
     write(path, facts, diagrams);
 }

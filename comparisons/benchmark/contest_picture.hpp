@@ -14,10 +14,13 @@ namespace kith::comparison {
 void write_bars(const std::string& path, const std::map<std::string, std::string>& facts,
                 const std::vector<contest>& contests);
 
-/// Writes one SVG picture, scheme by scheme: nanoseconds per face over the number of faces, both on logarithmic axes.
-/// Each contestant has a curve of the medians of its first runs (dashed) and one of its second runs. Contests of one
-/// scheme at several sizes make a curve. Errors: io::file_error.
+/// The numbers of faces or of threads below the curves of a plot.
+enum class curves_over { faces, threads };
+
+/// Writes one SVG picture, scheme by scheme: nanoseconds per face over the numbers of `over`, on logarithmic axes. Each
+/// contestant has a curve of the medians of its first runs (dashed) and one of its second runs. Contests of one scheme
+/// at several numbers make a curve. Errors: io::file_error.
 void write_curves(const std::string& path, const std::map<std::string, std::string>& facts,
-                  const std::vector<contest>& contests);
+                  const std::vector<contest>& contests, curves_over over);
 
 } // namespace kith::comparison

@@ -72,7 +72,7 @@ void run_all(double target, int repeats)
     });
     print(machine());
     for (auto& contest : contests) {
-        run(contest, repeats, 1);
+        run(contest, repeats);
         print(contest);
     }
 }
