@@ -112,7 +112,7 @@ class Pages(unittest.TestCase):
     def place(self, point, panel=0):
         """Returns the place of a point of a panel, relative to the middle of the canvas, as ActionChains takes it."""
         x, y, width, height = self.page(
-            "(() => { const { window } = page.at(0, 0), [x, y] = page.camera.project(a[0], window);"
+            "(() => { const { window } = page.at(0, 0), [x, y] = page.camera.project(page.camera.inFrame(a[0]), window);"
             "return [x + a[1] * window.width, y, page.canvas.clientWidth, page.canvas.clientHeight]; })()",
             list(point), panel)
         return round(x - width / 2), round(y - height / 2)
@@ -194,7 +194,7 @@ class Pages(unittest.TestCase):
     def test_dragging_a_control_vertex_moves_the_surface(self):
         self.open([self.write("cube.obj", obj(CUBE))], "-s", "catmull-clark,doo-sabin", "-n", "3", "--view", "30,20")
         right, up = self.page("[page.camera.right, page.camera.up]")
-        scale = self.page("page.camera.pixelsPerUnit(page.at(0, 0).window)")
+        scale = self.page("page.camera.pixelsPerUnit(page.at(0, 0).window) / page.camera.unit")
         x, y = self.place(CUBE[0][5])
         ActionChains(self.driver, duration=20).move_to_element_with_offset(
             self.canvas(), x, y).click_and_hold().move_by_offset(30, -20).release().perform()
@@ -307,17 +307,71 @@ class Pages(unittest.TestCase):
         self.set_range("level", 4)
         self.assertIn(f"{5558 * 4**4} faces", self.element("labels").text)
 
+    def test_meshes_of_any_size_and_place_are_drawn_and_picked(self):
+        drawn = ("(() => { const { gl } = page.renderer, { triangles } = page.panels[0];"
+                 "gl.bindBuffer(gl.ARRAY_BUFFER, triangles.buffers[0]);"
+                 "const corners = new Uint8Array(16 * triangles.count); gl.getBufferSubData(gl.ARRAY_BUFFER, 0, corners);"
+                 "return Array.from(corners).join(); })()")
+        pictures = []
+        for size, offset in ((1, 0), (2.0**20, 0), (2.0**-900, 0), (2.0**900, 0), (1, 2.0**24)):
+            points = [tuple(size * x + offset for x in p) for p in CUBE[0]]
+            self.open([self.write("cube.obj", obj((points, CUBE[1])))], "-n", "2", "--view", "front")
+            self.element("cage").click()
+            pictures.append(self.page(drawn))
+            self.click(tuple(size * x + offset for x in (.52, 0, .52)))
+            self.assertRegex(self.element("relatives").text, r"face \d+ of level 2(.|\n)*face 2 of level 0")
+        self.assertEqual(len(set(pictures)), 1)
+
+    def test_memory_does_not_grow(self):
+        self.open([self.write("a.obj", obj(OCTAHEDRON)), self.write("b.obj", obj(CUBE))], "-n", "0")
+        sizes = []
+        for _ in range(3):
+            for mesh in (0, 1):
+                Select(self.element("mesh")).select_by_index(mesh)
+                for level in (6, 0, 3):
+                    self.set_range("level", level)
+                self.page("page.moveVertex(0, [2, -1, 3])")
+                self.settle()
+            sizes.append(self.page("page.library.call.memory.buffer.byteLength"))
+        self.assertEqual(sizes[1], sizes[2])
+
+    def test_a_lost_context_comes_back(self):
+        self.open([self.write("cube.obj", obj(CUBE))], "-n", "2")
+        self.page("void (page.lost = page.renderer.gl.getExtension('WEBGL_lose_context'))")
+        self.driver.execute_async_script(
+            "const done = arguments[0]; opened.then(page => {"
+            "page.canvas.addEventListener('webglcontextrestored', () => setTimeout(done));"
+            "page.lost.loseContext(); setTimeout(() => page.lost.restoreContext(), 100); });")
+        self.settle()
+        self.assertTrue(self.page("page.renderer.gl.isBuffer(page.panels[0].triangles.buffers[0])"))
+        self.assertFalse(self.element("failure").is_displayed())
+
+    def test_moving_drops_the_levels_that_are_not_shown(self):
+        self.open([self.write("cube.obj", obj(CUBE))], "-s", "catmull-clark", "-n", "4")
+        self.set_range("level", 1)
+        self.page("page.moveVertex(5, [2, -1, 3])")
+        self.settle()
+        moved = [*CUBE[0][:5], (2, -1, 3), *CUBE[0][6:]]
+        for level in (1, 4):
+            self.set_range("level", level)
+            self.assertEqual(self.points(level), self.refined(obj((moved, CUBE[1])), "catmull-clark", level)[0])
+
     def test_bad_input_is_refused(self):
         for text, options, code, message in (
                 (obj((CUBE[0], [*CUBE[1], (0, 1, 3)])), [], 1, "face"),
                 (obj(CUBE), ["-s", "butterfly"], 2, "is no scheme of the page; those are catmull-clark, loop"),
                 (obj(CUBE), ["-n", "-1"], 2, "ask for 0 or more"),
+                (obj(CUBE), ["-s", "loop"], 1, "--triangulate"),
                 (obj(CUBE), ["--partitioner", "block"], 2, "name --tiles as well")):
-            run = subprocess.run([KITH, "view", self.write("mesh.obj", text), *options, "-o", self.path("none.html")],
+            run = subprocess.run([KITH, "view", self.write("mesh.obj", text), "-o", self.path("none.html"), *options],
                                  capture_output=True, text=True, check=False)
             self.assertEqual(run.returncode, code, run.stderr)
             self.assertIn(message, run.stderr)
             self.assertFalse(os.path.exists(self.path("none.html")))
+        run = subprocess.run([KITH, "view", self.write("mesh.obj", obj(CUBE)), "-o", "-"], capture_output=True, text=True,
+                             check=False)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("give one that ends with .html", run.stderr)
 
 
 if not os.path.exists("/usr/bin/chromedriver"):

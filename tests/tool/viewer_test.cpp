@@ -59,9 +59,9 @@ TEST(Viewer, CurvaturesOfASphereAreThoseOfItsRadius)
 TEST(Viewer, ARayMeetsTheFaceNearestToItsBegin)
 {
     const surface_of_scheme<catmull_clark> box(cube());
-    EXPECT_EQ(face_at(box.elements(0), {.5, -3, .4}, {0, 1, 0}), 2);
-    EXPECT_EQ(face_at(box.elements(0), {.5, 3, .4}, {0, -1, 0}), 4);
-    EXPECT_EQ(face_at(box.elements(0), {.5, -3, 1.4}, {0, 1, 0}), std::nullopt);
+    EXPECT_EQ(face_at(box.elements(0), {.5, -3, .4}, {0, 1, 0}, {}), 2);
+    EXPECT_EQ(face_at(box.elements(0), {.5, 3, .4}, {0, -1, 0}, {}), 4);
+    EXPECT_EQ(face_at(box.elements(0), {.5, -3, 1.4}, {0, 1, 0}, {}), std::nullopt);
 }
 
 TEST(Viewer, NormalsAreSmoothExceptAtSharpEdges)
@@ -69,7 +69,7 @@ TEST(Viewer, NormalsAreSmoothExceptAtSharpEdges)
     surface_of_scheme<catmull_clark> box(cube());
     const auto normals = [&](bool is_smooth) {
         std::vector<drawn_normal> result;
-        for (const drawn_corner& c : triangles_of(box, 0, is_smooth))
+        for (const drawn_corner& c : triangles_of(box, 0, is_smooth, {}))
             if (c.position == std::array<float, 3>{1, 1, 1})
                 result.push_back(c.normal);
         return result;

@@ -45,7 +45,7 @@ po::options_description options_of_view()
     add_option<int>(options, "levels,n", "LEVEL", "the level to begin with (default: 2)");
     add_control_mesh_options(options);
     add_repair_options(options);
-    add_option<std::string>(options, "output,o", "OUT", "the page to write, .html; - is standard output");
+    add_option<std::string>(options, "output,o", "OUT", "the page to write, .html");
     add_option<std::int64_t>(options, "tiles", "N", "let the page color N tiles of each mesh");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_view_options(options);
@@ -110,12 +110,16 @@ json content_of(const std::string& name, const control_mesh& control, const crea
             {"attributes", std::move(attributes)}};
 }
 
-json content_of_file(const std::string& path, const po::variables_map& values)
+/// Returns the mesh of a file for the page. Errors: those of reading, of the partition, and mesh_error for a mesh that
+/// one of these schemes does not take.
+json content_of_file(const std::string& path, const std::vector<std::string>& schemes, const po::variables_map& values)
 {
     control_mesh control = read_mesh(path, input_repair_from(values));
     scheme_words words = scheme_words_of(values);
     any_scheme scheme = make_scheme("catmull-clark", words);
     give_creases(scheme, control, words);
+    for (const std::string& name : schemes)
+        require_scheme_takes(make_scheme(name, {}), control.mesh);
     std::vector<std::uint32_t> tiles;
     const auto tile_count = std::size_t(count_from(values, "tiles", most_tiles_per_rank));
     if (values.count("tiles") != 0)
@@ -151,15 +155,18 @@ int run_view(const verb& verb, const std::vector<std::string>& arguments)
             "view: this program was built without its page; build kith where clang compiles to WebAssembly "
             "(lld-19, wasi-libc, libc++-19-dev-wasm32, libc++abi-19-dev-wasm32, libclang-rt-19-dev-wasm32)");
     const picture::view view = view_from(*values);
-    json content{{"schemes", schemes_from(*values)},
+    const std::vector<std::string> schemes = schemes_from(*values);
+    json content{{"schemes", schemes},
                  {"level", values->count("levels") != 0 ? levels_of(*values) : 2},
                  {"view", {{"azimuth", view.azimuth}, {"elevation", view.elevation}, {"up", view.up}}},
                  {"meshes", json::array()}};
     if (values->count("partitioner") != 0 and values->count("tiles") == 0)
         throw usage_error("--partitioner: applies to tiles; name --tiles as well");
     const std::string output = output_of(*values);
+    if (not output.ends_with(".html"))
+        throw usage_error("view: '" + output + "' is no name of a page; give one that ends with .html");
     for (const std::string& path : (*values)["IN..."].as<std::vector<std::string>>())
-        content["meshes"].push_back(content_of_file(path, *values));
+        content["meshes"].push_back(content_of_file(path, schemes, *values));
 
     constexpr std::string_view mark = "@CONTENT@";
     const std::size_t at = viewer_page.find(mark);

@@ -37,12 +37,12 @@ double length(const point& a)
     return std::sqrt(dot(a, a));
 }
 
-/// Returns the normal of a polygon by Newell's formula; its length is twice the area.
-point normal_of(const auto& f)
+/// Returns the normal of a polygon in a frame by Newell's formula; its length is twice the area.
+point normal_of(const auto& f, const frame& seen)
 {
     point result{};
     for (const auto c : f.corners())
-        result += cross(c.v().point(), c.next().v().point());
+        result += cross(seen(c.v().point()), seen(c.next().v().point()));
     return result;
 }
 
@@ -59,11 +59,11 @@ drawn_normal drawn_normal_of(const point& n)
 }
 
 /// Returns the mean of the normals of the faces around each vertex, weighted by their areas.
-std::vector<drawn_normal> vertex_normals(const level_type& level)
+std::vector<drawn_normal> vertex_normals(const level_type& level, const frame& seen)
 {
     std::vector<point> sums(level.vertex_count());
     for (const auto f : level.faces()) {
-        const point normal = normal_of(f);
+        const point normal = normal_of(f, seen);
         for (const auto c : f.corners())
             sums[c.v().index()] += normal;
     }
@@ -104,7 +104,7 @@ std::vector<double> gaussian_curvature(const level_type& level)
 {
     std::vector<double> result(level.vertex_count()), areas(level.vertex_count());
     for (const auto f : level.faces()) {
-        const double share = length(normal_of(f)) / 2 / double(f.degree());
+        const double share = length(normal_of(f, {})) / 2 / double(f.degree());
         for (const auto c : f.corners()) {
             result[c.v().index()] += angle_at(c.v().point(), c.prev().v().point(), c.next().v().point());
             areas[c.v().index()] += share;
@@ -122,7 +122,7 @@ std::vector<double> mean_curvature(const level_type& level)
     std::vector<point> normals(level.face_count());
     std::vector<double> turns(level.vertex_count()), areas(level.vertex_count());
     for (const auto f : level.faces()) {
-        normals[f.index()] = normal_of(f);
+        normals[f.index()] = normal_of(f, {});
         for (const auto c : f.corners())
             areas[c.v().index()] += length(normals[f.index()]) / 2 / double(f.degree());
     }
@@ -159,32 +159,32 @@ std::uint8_t byte_of(float x)
 
 } // namespace
 
-std::vector<drawn_corner> triangles_of(const surface& shape, int level_number, bool is_smooth)
+std::vector<drawn_corner> triangles_of(const surface& shape, int level_number, bool is_smooth, const frame& seen)
 {
     const level_type& level = shape.elements(level_number);
-    const auto normals = is_smooth ? vertex_normals(level) : std::vector<drawn_normal>();
+    const auto normals = is_smooth ? vertex_normals(level, seen) : std::vector<drawn_normal>();
     const std::vector<bool> is_flat = vertices_at_sharp_edges(level, shape.sharpness(level_number));
     std::vector<drawn_corner> result;
     result.reserve(3 * (level.corner_count() - 2 * level.face_count()));
     for (const auto f : level.faces()) {
         const auto normal = [&](std::size_t v) {
-            return is_smooth and not is_flat[v] ? normals[v] : drawn_normal_of(normal_of(f));
+            return is_smooth and not is_flat[v] ? normals[v] : drawn_normal_of(normal_of(f, seen));
         };
         for_each_triangle(f, [&](const auto& corners) {
             for (const auto c : corners)
-                result.push_back({drawn(c.v().point()), normal(c.v().index())});
+                result.push_back({drawn(seen(c.v().point())), normal(c.v().index())});
         });
     }
     return result;
 }
 
-std::vector<std::array<float, 3>> edge_ends(const level_type& level)
+std::vector<std::array<float, 3>> edge_ends(const level_type& level, const frame& seen)
 {
     std::vector<std::array<float, 3>> result;
     result.reserve(2 * level.edge_count());
     for (const auto e : level.edges())
         for (const auto v : {e.org(), e.dst()})
-            result.push_back(drawn(v.point()));
+            result.push_back(drawn(seen(v.point())));
     return result;
 }
 
@@ -264,14 +264,16 @@ std::vector<std::uint32_t> first_triangles(const level_type& level)
     return result;
 }
 
-std::optional<std::uint32_t> face_at(const level_type& level, const point& from, const point& direction)
+std::optional<std::uint32_t> face_at(const level_type& level, const point& from, const point& direction,
+                                     const frame& seen)
 {
     // Moeller & Trumbore 1997.
     std::optional<std::uint32_t> nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const auto f : level.faces())
         for_each_triangle(f, [&](const auto& corners) {
-            const point a = corners[0].v().point(), u = corners[1].v().point() - a, v = corners[2].v().point() - a;
+            const point a = seen(corners[0].v().point()), u = seen(corners[1].v().point()) - a,
+                        v = seen(corners[2].v().point()) - a;
             const point across = cross(direction, v), offset = from - a, turned = cross(offset, u);
             const double volume = dot(u, across);
             const double s = dot(offset, across) / volume, t = dot(direction, turned) / volume;

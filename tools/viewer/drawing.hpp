@@ -24,12 +24,23 @@ struct drawn_corner {
 /// Red, green, blue and opacity from 0 to 255.
 using drawn_color = std::array<std::uint8_t, 4>;
 
+/// The center and the size of what is shown. Graphics cards calculate in floats, so they get points in this frame.
+struct frame {
+    point center{};
+    double radius = 1;
+
+    [[nodiscard]] point operator()(const point& p) const
+    {
+        return {(p[0] - center[0]) / radius, (p[1] - center[1]) / radius, (p[2] - center[2]) / radius};
+    }
+};
+
 /// Returns the corners of the triangles into which the faces of a level are cut from their first corners. Smooth
 /// normals are means over the faces around a vertex, except at sharp edges, whose faces look flat. Cost: O(corners).
-std::vector<drawn_corner> triangles_of(const surface& shape, int level, bool is_smooth);
+std::vector<drawn_corner> triangles_of(const surface& shape, int level, bool is_smooth, const frame& seen);
 
 /// Returns the two ends of each edge of a level.
-std::vector<std::array<float, 3>> edge_ends(const level_type& level);
+std::vector<std::array<float, 3>> edge_ends(const level_type& level, const frame& seen);
 
 /// The meaning of the colors of a level.
 enum class coloring : int {
@@ -67,7 +78,8 @@ drawn_color color_of(double value, palette colors, std::array<double, 2> range);
 /// Returns the place in `triangles_of` at which each face begins.
 std::vector<std::uint32_t> first_triangles(const level_type& level);
 
-/// Returns the face of a level that a ray meets first. Cost: O(corners).
-std::optional<std::uint32_t> face_at(const level_type& level, const point& from, const point& direction);
+/// Returns the face of a level that a ray meets first; the ray is in the frame. Cost: O(corners).
+std::optional<std::uint32_t> face_at(const level_type& level, const point& from, const point& direction,
+                                     const frame& seen);
 
 } // namespace kith::viewer

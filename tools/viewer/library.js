@@ -48,13 +48,17 @@ class Library {
     }
 }
 
-/** A control mesh with a scheme and the levels that were asked for. Elements are objects { level, kind, number }. */
+/**
+ * A control mesh with a scheme and the levels that were asked for, drawn in the frame of a camera. Elements are objects
+ * { level, kind, number }.
+ */
 class Surface {
-    constructor(library, scheme, control) {
+    constructor(library, scheme, control, { origin, unit }) {
         this.library = library;
         this.scheme = scheme;
         this.handle = library.withArrays([control.points, control.degrees, control.corners], (points, degrees, corners) =>
             library.call.open_surface(scheme, control.points.length / 3, points, control.degrees.length, degrees, corners));
+        library.call.set_frame(this.handle, ...origin, unit);
         this.sharpen(control);
     }
 
@@ -68,8 +72,9 @@ class Surface {
             (ends, ofEdges, numbers, ofVertices) => this.library.call.sharpen(
                 this.handle, edges.length, ends, ofEdges, vertices.length, numbers, ofVertices, isChaikin));
     }
-    move(points) {
-        this.library.withArrays([points], pointer => this.library.call.move_points(this.handle, pointer));
+    /** Moves the control mesh and the levels up to `last`. */
+    move(points, last) {
+        this.library.withArrays([points], pointer => this.library.call.move_points(this.handle, pointer, last));
     }
     levelsWithin(faces) { return this.library.call.levels_within(this.handle, faces); }
     refineTo(level) { this.library.call.refine_to(this.handle, level); }
@@ -106,7 +111,7 @@ class Surface {
         const ends = this.array(Uint32Array, "descendants", level, kind, number, finer, kindThere);
         return Array.from({ length: ends.length / 2 }, (_, i) => [ends[2 * i], ends[2 * i + 1]]);
     }
-    /** Returns the face that a ray meets first, or undefined. */
+    /** Returns the face that a ray of the frame meets first, or undefined. */
     faceAt(level, from, direction) { return this.array(Uint32Array, "face_at", level, ...from, ...direction)[0]; }
 
     array(Type, name, ...given) { return this.arrayOf(1, Type, name, ...given); }

@@ -40,9 +40,10 @@ const returned_array* returned(std::vector<T> values)
     return &result;
 }
 
-/// A surface that a page shows, with the values of its colors.
+/// A surface that a page shows, with its frame and the values of its colors.
 struct shown_surface {
     std::unique_ptr<surface> shape;
+    frame seen{};
     shown_values values{};
 };
 
@@ -128,6 +129,10 @@ void __cxa_throw(void* thrown, std::type_info*, void (*)(void*))
     delete shown;
 }
 
+[[clang::export_name("set_frame")]] void set_frame(shown_surface* shown, double x, double y, double z, double radius)
+{
+    shown->seen = {{x, y, z}, radius};
+}
 /// Edges are pairs of vertices.
 [[clang::export_name("sharpen")]] void sharpen(shown_surface* shown, std::size_t edges, const std::uint32_t* ends,
                                                const double* of_edges, std::size_t vertices,
@@ -146,9 +151,9 @@ void __cxa_throw(void* thrown, std::type_info*, void (*)(void*))
         sharpness.sharpen_vertex(numbers[i], of_vertices[i]);
     shown->shape->sharpen(sharpness);
 }
-[[clang::export_name("move_points")]] void move_points(shown_surface* shown, const point* points)
+[[clang::export_name("move_points")]] void move_points(shown_surface* shown, const point* points, int last)
 {
-    shown->shape->move_points(std::span(points, shown->shape->elements(0).vertex_count()));
+    shown->shape->move_points(std::span(points, shown->shape->elements(0).vertex_count()), last);
 }
 [[clang::export_name("levels_within")]] int levels_within(const shown_surface* shown, std::size_t faces)
 {
@@ -182,7 +187,7 @@ void __cxa_throw(void* thrown, std::type_info*, void (*)(void*))
 }
 [[clang::export_name("edge_ends")]] const returned_array* ends_of_edges(const shown_surface* shown, int level)
 {
-    return returned(edge_ends(shown->shape->elements(level)));
+    return returned(edge_ends(shown->shape->elements(level), shown->seen));
 }
 [[clang::export_name("face_vertices")]] const returned_array* face_vertices(const shown_surface* shown, int level,
                                                                             std::uint32_t face)
@@ -204,7 +209,7 @@ void __cxa_throw(void* thrown, std::type_info*, void (*)(void*))
 [[clang::export_name("triangles")]] const returned_array* triangles(const shown_surface* shown, int level,
                                                                     bool is_smooth)
 {
-    return returned(triangles_of(*shown->shape, level, is_smooth));
+    return returned(triangles_of(*shown->shape, level, is_smooth, shown->seen));
 }
 [[clang::export_name("first_triangles")]] const returned_array* first_triangles_of(const shown_surface* shown,
                                                                                    int level)
@@ -254,12 +259,12 @@ descendants(const shown_surface* shown, int level, int kind, std::uint32_t numbe
         result.insert(result.end(), {std::uint32_t(begin), std::uint32_t(end)});
     return returned(std::move(result));
 }
-/// Returns the number of the face that a ray meets first, or an empty array.
+/// Returns the number of the face that a ray of the frame meets first, or an empty array.
 [[clang::export_name("face_at")]] const returned_array* face_at_ray(const shown_surface* shown, int level, double x,
                                                                     double y, double z, double along_x, double along_y,
                                                                     double along_z)
 {
-    const auto found = face_at(shown->shape->elements(level), {x, y, z}, {along_x, along_y, along_z});
+    const auto found = face_at(shown->shape->elements(level), {x, y, z}, {along_x, along_y, along_z}, shown->seen);
     return returned(found ? std::vector{*found} : std::vector<std::uint32_t>());
 }
 }

@@ -38,7 +38,7 @@ class Page {
     openMesh(index) {
         this.given = this.content.meshes[index];
         this.control = controlMesh(this.given);
-        this.camera.frame(this.control.points);
+        this.camera.measure(this.control.points);
         const onlyTriangles = this.control.degrees.every(degree => degree === 3);
         this.schemeBoxes.forEach((box, scheme) => {
             box.disabled = !onlyTriangles && (scheme === 1 || scheme === 3);
@@ -55,9 +55,11 @@ class Page {
 
     /** Makes a panel for each scheme that is chosen. */
     openPanels() {
-        this.panels.forEach(panel => { this.free(panel); panel.surface.close(); });
         const chosen = this.schemeBoxes.flatMap((box, scheme) => box.checked ? [scheme] : []);
-        this.panels = chosen.map(scheme => ({ scheme, surface: new Surface(this.library, scheme, this.control) }));
+        const opened = chosen.map(scheme =>
+            ({ scheme, surface: new Surface(this.library, scheme, this.control, this.camera) }));
+        this.panels.forEach(panel => { this.free(panel); panel.surface.close(); });
+        this.panels = opened;
         const within = this.panels.map(panel => panel.surface.levelsWithin(Math.floor(mostFaces / chosen.length)));
         $("level").max = Math.min(...within);
         if ($("level").dataset.set === undefined)
@@ -109,20 +111,15 @@ class Page {
     makeCage() {
         const { surface } = this.panels[0];
         this.cageEdges = surface.edges(0);
-        const ends = surface.edgeEnds(0), sharp = [], points = Float32Array.from(this.control.points);
-        for (const { ends: [a, b], sharpness } of this.control.sharpEdges.values())
-            if (sharpness > 0)
-                sharp.push(...points.slice(3 * a, 3 * a + 3), ...points.slice(3 * b, 3 * b + 3));
-        const dots = v => [...points.slice(3 * v, 3 * v + 3), ...points.slice(3 * v, 3 * v + 3)];
-        const sharpDots = [...this.control.sharpVertices].flatMap(([v, s]) => s > 0 ? dots(v) : []);
-        const doubled = new Float32Array(2 * points.length);
-        for (let v = 0; 3 * v < points.length; ++v)
-            doubled.set(dots(v), 6 * v);
+        const line = (a, b) => [...this.controlPoint(a), ...this.controlPoint(b)];
+        const sharp = [...this.control.sharpEdges.values()].flatMap(e => e.sharpness > 0 ? line(...e.ends) : []);
+        const sharpDots = [...this.control.sharpVertices].flatMap(([v, s]) => s > 0 ? line(v, v) : []);
+        const dots = Array.from({ length: this.control.points.length / 3 }, (_, v) => line(v, v)).flat();
         (this.cage ?? []).forEach(({ made }) => this.renderer.free(made));
-        const lines = (values, width, ink, lift) => ({ made: this.renderer.makeLines(values), width, ink, lift });
-        this.cage = [lines(ends, 1.4, cageInk, .001), lines(doubled, 6, cageInk, .001),
-                     lines(Float32Array.from(sharp), 3, sharpInk, .0015),
-                     lines(Float32Array.from(sharpDots), 9, sharpInk, .0015)];
+        const lines = (ends, width, ink, lift) =>
+            ({ made: this.renderer.makeLines(Float32Array.from(ends)), width, ink, lift });
+        this.cage = [lines(surface.edgeEnds(0), 1.4, cageInk, .001), lines(dots, 6, cageInk, .001),
+                     lines(sharp, 3, sharpInk, .0015), lines(sharpDots, 9, sharpInk, .0015)];
     }
 
     free(panel) {
@@ -138,6 +135,7 @@ class Page {
         this.isDrawing = true;
         requestAnimationFrame(() => {
             this.isDrawing = false;
+            this.renderer.fit(devicePixelRatio);
             this.renderer.draw(this.camera, this.panels.map(panel => ({
                 triangles: panel.triangles,
                 lines: [...($("wire").checked ? [{ made: panel.wire, width: 1, ink: wireInk, lift: .0004 }] : []),
@@ -161,13 +159,17 @@ class Page {
                 return element("div", {}, square, labels[i]);
             };
             const shown = [...(labels ?? []).keys()].filter(i => i >= this.range[0] && i <= this.range[1]);
-            $("legend").replaceChildren(...shown.slice(0, 12).map(entry));
+            $("legend").replaceChildren(...shown.slice(0, 12).map(entry), ...shown.length > 12 ? ["..."] : []);
             return;
         }
         const [least, most] = this.range, steps = [0, .25, .5, .75, 1].map(share => least + share * (most - least));
         const bar = element("div", { className: "bar" });
         bar.style.background = `linear-gradient(to top, ${steps.map(css).join()})`;
-        const ticks = steps.reverse().map(x => element("span", { textContent: Number(x.toPrecision(3)) }));
+        const rounded = digits => steps.map(x => Number(x.toPrecision(digits)));
+        let digits = 3;
+        while (digits < 15 && new Set(rounded(digits)).size < steps.length)
+            ++digits; // so that all are different
+        const ticks = rounded(digits).reverse().map(x => element("span", { textContent: x }));
         $("legend").replaceChildren(element("div", { className: "scale" }, bar,
                                             element("div", { className: "ticks" }, ...ticks)));
     }
@@ -215,7 +217,7 @@ class Page {
             const points = surface.points(this.level);
             for (const [begin, end] of descendants[0])
                 for (let v = begin; v < end; ++v)
-                    ends.push(...points.subarray(3 * v, 3 * v + 3), ...points.subarray(3 * v, 3 * v + 3));
+                    ends.push(...this.pointOf(points, v), ...this.pointOf(points, v));
         }
         panel.markWidth = origin.kind === 0 ? 9 : origin.kind === 1 ? 4 : 1.5;
         panel.marks = this.renderer.makeLines(Float32Array.from(ends));
@@ -294,7 +296,7 @@ class Page {
         else
             this.control.sharpEdges.set(this.endsOf(number).join(), { ends: this.endsOf(number), sharpness });
         this.later(() => {
-            this.panels.forEach(panel => panel.surface.sharpen(this.control));
+            this.sharpen();
             this.makeSurfaces();
         });
     }
@@ -302,18 +304,23 @@ class Page {
         if (!point.every(Number.isFinite))
             return;
         this.control.points.set(point, 3 * vertex);
+        this.camera.include(point);
         this.later(() => {
-            this.panels.forEach(panel => panel.surface.move(this.control.points));
+            this.panels.forEach(panel => panel.surface.move(this.control.points, this.level));
             this.makeSurfaces();
         });
     }
     reset() {
         this.control = controlMesh(this.given);
+        this.panels.forEach(panel => panel.surface.move(this.control.points, 0));
+        this.sharpen();
+        this.makeSurfaces();
+    }
+    sharpen() {
         for (const { surface } of this.panels) {
             surface.sharpen(this.control);
-            surface.move(this.control.points);
+            surface.refineTo(this.level);
         }
-        this.makeSurfaces();
     }
     /** Calls the last of the functions that are given before the next picture. */
     later(callback) {
@@ -345,7 +352,9 @@ class Page {
         const t = length > 0 ? Math.min(Math.max(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length, 0), 1) : 0;
         return Math.hypot(ax + t * (bx - ax) - x, ay + t * (by - ay) - y);
     }
-    controlPoint(v) { return [...this.control.points.subarray(3 * v, 3 * v + 3)]; }
+    /** Returns a point of an array in the frame of the camera. */
+    pointOf(points, v) { return this.camera.inFrame([...points.subarray(3 * v, 3 * v + 3)]); }
+    controlPoint(v) { return this.pointOf(this.control.points, v); }
 
     /** Returns the number of the vertex of the control mesh near a place; among several the one nearest to the viewer. */
     controlVertexAt(place) {
@@ -379,9 +388,9 @@ class Page {
         const face = surface.faceAt(this.level, ...this.camera.ray(x, y, window));
         if (face === undefined)
             return undefined;
-        const points = surface.points(this.level), point = v => [...points.subarray(3 * v, 3 * v + 3)];
+        const points = surface.points(this.level);
         for (const number of surface.faceVertices(this.level, face))
-            if (this.distanceToPoint(point(number), place) < 6)
+            if (this.distanceToPoint(this.pointOf(points, number), place) < 6)
                 return { panel, level: this.level, kind: 0, number };
         for (const number of surface.faceEdges(this.level, face)) {
             const ends = panel.ends.subarray(6 * number, 6 * number + 6);
@@ -397,8 +406,8 @@ class Page {
         this.canvas.addEventListener("pointerdown", event => {
             this.canvas.setPointerCapture(event.pointerId);
             pointers.set(event.pointerId, event);
-            moved = 0;
-            dragged = $("cage").checked && pointers.size === 1 && !event.shiftKey ? this.controlVertexAt(place(event))
+            moved = pointers.size === 1 && event.button === 0 ? 0 : Infinity; // then it is no click
+            dragged = $("cage").checked && moved === 0 && !event.shiftKey ? this.controlVertexAt(place(event))
                                                                                  : undefined;
             if (dragged !== undefined)
                 this.select({ panel: place(event).panel, level: 0, kind: 0, number: dragged });
@@ -416,7 +425,8 @@ class Page {
                 this.camera.zoom(distance(event) / Math.max(distance(before), 1));
                 this.camera.pan(x / 2, y / 2, window);
             } else if (dragged !== undefined) {
-                this.moveVertex(dragged, add(this.controlPoint(dragged), this.camera.inPlane(x, y, window)));
+                const point = this.control.points.subarray(3 * dragged, 3 * dragged + 3);
+                this.moveVertex(dragged, this.camera.moved([...point], x, y, window));
             } else if (event.shiftKey || event.buttons === 4) {
                 this.camera.pan(x, y, window);
             } else {
@@ -452,7 +462,7 @@ class Page {
             else if (event.key === "-")
                 this.camera.zoom(1 / 1.2);
             else if (event.key === "Home")
-                this.camera.frame(this.control.points);
+                this.camera.goHome();
             else if (event.key === "PageUp" || event.key === "PageDown") {
                 $("level").value = this.level + (event.key === "PageUp" ? 1 : -1);
                 this.guard(() => this.showLevel());
@@ -530,11 +540,15 @@ class Page {
         on("reset", "click", () => this.reset());
         this.listenToPointers();
         this.listenToKeys();
-        new ResizeObserver(() => {
-            this.canvas.width = Math.max(Math.round(this.canvas.clientWidth * devicePixelRatio), 1);
-            this.canvas.height = Math.max(Math.round(this.canvas.clientHeight * devicePixelRatio), 1);
-            this.draw();
-        }).observe(this.canvas);
+        new ResizeObserver(() => this.draw()).observe(this.canvas);
+        this.canvas.addEventListener("webglcontextlost", event => event.preventDefault()); // so that it comes back
+        this.canvas.addEventListener("webglcontextrestored", () => this.guard(() => {
+            for (const panel of this.panels) // their buffers are gone
+                panel.triangles = panel.wire = panel.marks = undefined;
+            this.cage = undefined;
+            this.renderer.start();
+            this.makeSurfaces();
+        }));
     }
 
     /** Calls a function, and shows its error to the reader. */

@@ -2,7 +2,7 @@
 
 const viewOfVertex = `
     uniform vec3 right, up, toward, center;
-    uniform vec2 scale;  // from the units of the mesh to those of the window
+    uniform vec2 scale;  // from the units of the frame to those of the window
     uniform float depth; // of the scene, in front of the center and behind it
     vec4 placed(vec3 p) {
         p -= center;
@@ -72,7 +72,18 @@ class Renderer {
         this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
         if (!this.gl)
             throw new Error("This browser has no WebGL 2, which this page needs.");
-        this.programs = { surface: this.program(surfaceShaders), lines: this.program(lineShaders) };
+        this.start();
+    }
+
+    /** Compiles the programs, at first and after the browser has lost them. */
+    start() { this.programs = { surface: this.program(surfaceShaders), lines: this.program(lineShaders) }; }
+
+    /** Gives the canvas as many pixels as it has on the screen. */
+    fit(density) {
+        const { canvas } = this.gl, pixels = size => Math.max(Math.round(size * density), 1);
+        const [width, height] = [pixels(canvas.clientWidth), pixels(canvas.clientHeight)];
+        if (canvas.width !== width || canvas.height !== height)
+            Object.assign(canvas, { width, height });
     }
 
     program(sources) {
@@ -185,7 +196,7 @@ class Renderer {
             gl.uniform3fv(uniforms[axis], camera[axis]);
         const scale = 2 * camera.pixelsPerUnit(window);
         gl.uniform2f(uniforms.scale, scale / window.width, scale / window.height);
-        gl.uniform1f(uniforms.depth, 4 * camera.radius + camera.shown);
+        gl.uniform1f(uniforms.depth, 1.01 * camera.depth);
         return uniforms;
     }
 }

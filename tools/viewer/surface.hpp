@@ -33,10 +33,11 @@ public:
     [[nodiscard]] virtual int levels_within(std::size_t faces) const = 0;
     /// Makes the levels up to `level` unless they are there. Errors: as `hierarchy::refine`.
     virtual void refine_to(int level) = 0;
-    /// Makes the levels again with creases on the control mesh. Schemes without rules for creases ignore them.
+    /// Begins again with creases on the control mesh; only level 0 is there then. Schemes without rules for creases
+    /// ignore them.
     virtual void sharpen(const creases& sharpness) = 0;
-    /// Moves the vertices of the control mesh, and all levels with them.
-    virtual void move_points(std::span<const point> points) = 0;
+    /// Moves the vertices of the control mesh, and the levels up to `last` with them. Drops the levels after it.
+    virtual void move_points(std::span<const point> points, int last) = 0;
 
     // Functions of a level: precondition: it has been made.
     [[nodiscard]] virtual const level_type& elements(int level) const = 0;
@@ -87,12 +88,15 @@ public:
         if constexpr (requires(Scheme s) { s.sharpness; }) {
             Scheme scheme = levels_.scheme(0);
             scheme.sharpness = sharpness;
-            const int depth = levels_.depth();
             levels_ = hierarchy(mesh_type(levels_[0]), std::move(scheme));
-            levels_.refine(depth);
         }
     }
-    void move_points(std::span<const point> points) override { levels_.move_points(0, points); }
+    void move_points(std::span<const point> points, int last) override
+    {
+        if (last < levels_.depth())
+            levels_.undo(levels_.depth() - last);
+        levels_.move_points(0, points);
+    }
 
     const level_type& elements(int level) const override { return levels_.elements(level); }
     const creases* sharpness(int level) const override
