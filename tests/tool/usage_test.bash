@@ -5,7 +5,7 @@ cube >cube.off
 run --help
 exits 0
 says_nothing
-for verb in refine tessellate picture info compare plan schemes; do prints "^  $verb "; done
+for verb in refine tessellate picture view info compare plan schemes; do prints "^  $verb "; done
 prints 'OFF, OBJ, PLY, STL or VTU'
 prints '\.vtu, \.pvtu'
 run -h
@@ -13,7 +13,7 @@ exits 0
 run --version
 exits 0
 prints '^kith [0-9]+\.[0-9]+\.[0-9]+$'
-for verb in refine tessellate picture info compare plan schemes; do
+for verb in refine tessellate picture view info compare plan schemes; do
     run $verb --help
     exits 0
     prints "^kith $verb"
@@ -43,7 +43,7 @@ run
 exits 2
 says 'refine'
 prints_nothing
-wrong 'not a verb; the verbs are refine, tessellate, picture, info, compare, plan, schemes' smooth cube.off
+wrong 'not a verb; the verbs are refine, tessellate, picture, view, info, compare, plan, schemes' smooth cube.off
 wrong 'IN is missing' refine -s loop -n 1 -o out.off
 wrong 'output is missing' refine cube.off -s catmull-clark -n 1
 wrong 'scheme is missing' refine cube.off -n 1 -o out.off

@@ -5,19 +5,10 @@
 
 namespace kith::tool {
 
-namespace {
-
-struct double_traits : OpenMesh::DefaultTraits {
-    using Point = OpenMesh::Vec3d;
-    using Normal = OpenMesh::Vec3d;
-};
-
-} // namespace
-
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request)
 {
     require_possible(request, control, mesh_kind::openmesh);
-    return refine_on<OpenMesh::PolyMesh_ArrayKernelT<double_traits>>(control, request);
+    return refine_on<OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>>(control, request);
 }
 
 } // namespace kith::tool
