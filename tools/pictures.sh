@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# Makes the pictures of README, pages and site again, in docs: tools/pictures.sh [BIN, usually build/release/bin].
-# docs/sizes.svg and docs/scaling.svg show times: benchmark --plot and scaling.py --plot, see comparisons/README.md.
+# Makes the pictures of README, pages and site again, in docs: tools/pictures.sh [--times] [BIN, usually build/release/bin].
+# With --times also those that show times, which takes a quarter of an hour on a machine without other work.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+times=
+if [ "${1:-}" = --times ]; then times=yes && shift; fi
 bin=$PWD/${1:-build/release/bin}
 meshes=$PWD/build/data/meshes # see ./check
+scaling=$PWD/comparisons/benchmark/scaling.py
 cd docs
 
 "$bin/example_associations" . >/dev/null
@@ -34,3 +37,8 @@ OFF 20 18 0
 4 0 1 11 10  4 8 9 19 18  4 2 3 13 12  4 1 8 18 11  4 9 2 12 19
 4 3 7 17 13  4 7 6 16 17  4 6 5 15 16  4 5 4 14 15  4 4 0 10 14
 END
+
+if [ $times ]; then
+    "$bin/benchmark" --schemes catmull-clark --sizes 4000,18000,74000,295000,1200000,4700000 --plot sizes.svg
+    "$scaling" "$bin" --levels 6 --repeats 3 --output /dev/shm --plot scaling.svg
+fi
