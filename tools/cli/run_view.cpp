@@ -35,13 +35,19 @@ namespace po = boost::program_options;
 
 constexpr std::array<std::string_view, 4> schemes_of_page{"catmull-clark", "loop", "doo-sabin", "sqrt3"};
 
+std::string names_of_schemes()
+{
+    std::string result;
+    for (const std::string_view name : schemes_of_page)
+        append_to_list(result, name);
+    return result;
+}
+
 po::options_description options_of_view()
 {
     po::options_description options("Options");
-    std::string known;
-    for (const std::string_view name : schemes_of_page)
-        append_to_list(known, name);
-    add_option<std::string>(options, "scheme,s", "NAMES", "the schemes to begin with, side by side: " + known);
+    add_option<std::string>(
+        options, "scheme,s", "NAMES", "the schemes to begin with, side by side: " + names_of_schemes());
     add_option<int>(options, "levels,n", "LEVEL", "the level to begin with (default: 2)");
     add_control_mesh_options(options);
     add_repair_options(options);
@@ -59,12 +65,8 @@ std::vector<std::string> schemes_from(const po::variables_map& values)
         return {};
     std::vector<std::string> result = parts_of(required(values, "scheme"), ',');
     for (const std::string& name : result)
-        if (std::ranges::find(schemes_of_page, name) == schemes_of_page.end()) {
-            std::string known;
-            for (const std::string_view each : schemes_of_page)
-                append_to_list(known, each);
-            throw usage_error("--scheme: '" + name + "' is no scheme of the page; those are " + known);
-        }
+        if (std::ranges::find(schemes_of_page, name) == schemes_of_page.end())
+            throw usage_error("--scheme: '" + name + "' is no scheme of the page; those are " + names_of_schemes());
     return result;
 }
 
