@@ -2,7 +2,7 @@
 // Writes the control meshes of the thesis's figures as OBJ files. `kith refine` reads them with their creases.
 // Sample run: figures FOLDER
 
-#include "../tests/support/figures.hpp"
+#include "../tests/support/figure_bodies.hpp"
 
 #include <array>
 #include <cstdio>
@@ -43,6 +43,8 @@ int main(int count, char** words)
                      write(folder + "/triangulated_cube.obj", triangulated(cube())) and
                      write(folder + "/t_shape.obj", t_shape(), t_shape_creases()) and
                      write(folder + "/pentacube.obj", pentacube()) and write(folder + "/torus.obj", torus()) and
-                     write(folder + "/hollow_cube.obj", hollow_cube());
+                     write(folder + "/hollow_cube.obj", hollow_cube()) and write(folder + "/axe.obj", axe()) and
+                     write(folder + "/gourd.obj", gourd()) and write(folder + "/rook.obj", rook()) and
+                     write(folder + "/cupid.obj", cupid());
     return all ? 0 : 1;
 }

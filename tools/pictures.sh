@@ -38,7 +38,11 @@ OFF 20 18 0
 4 3 7 17 13  4 7 6 16 17  4 6 5 15 16  4 5 4 14 15  4 4 0 10 14
 END
 
+cd ..
+python3 tools/thesis_page.py "${bin#"$PWD/"}"
+
 if [ $times ]; then
+    cd docs
     "$bin/benchmark" --schemes catmull-clark --sizes 4000,18000,74000,295000,1200000,4700000 --plot sizes.svg
     "$scaling" "$bin" --levels 6 --repeats 3 --output /dev/shm --plot scaling.svg
 fi

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/figures.hpp"
+#include "support/figure_bodies.hpp"
 #include "support/native_shape.hpp"
 
 #include <kith/catmull_clark.hpp>
@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace {
@@ -46,6 +47,10 @@ TEST(figures, have_the_counts_that_they_tell)
     expect_closed(figures::torus(), 288, 576, 288);
     expect_closed(figures::t_shape(), 20, 36, 18);
     expect_closed(figures::hollow_cube(), 64, 144, 72); // V - E + F = 2 - 2 * 5
+    expect_closed(figures::axe(), 28, 54, 30);          // two bodies
+    expect_closed(figures::gourd(), 326, 972, 648);
+    expect_closed(figures::rook(), 130, 384, 256);
+    expect_closed(figures::cupid(), 6713, 14235, 7532); // V - E + F = 2 * 5
 }
 
 TEST(figures, face_outwards)
@@ -55,6 +60,9 @@ TEST(figures, face_outwards)
     EXPECT_NEAR(volume(figures::hollow_cube()), 20, 1e-13);
     EXPECT_GT(volume(figures::pentacube()), 0);
     EXPECT_GT(volume(figures::torus()), 0);
+    EXPECT_NEAR(volume(figures::revolved({{1, 0}, {1, 2}}, 400, 0, 2)), 2 * std::acos(-1.), 1e-3); // a cylinder
+    for (const auto& body : {figures::axe(), figures::gourd(), figures::rook(), figures::cupid()})
+        EXPECT_GT(volume(body), 0);
 }
 
 TEST(figures, cubes_share_their_corners_and_hide_their_common_faces)
