@@ -11,6 +11,7 @@ import unittest
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import WebDriverException
     from selenium.webdriver import ActionChains
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
@@ -37,20 +38,7 @@ def obj(mesh, tags=()):
 
 
 class Pages(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        options = webdriver.ChromeOptions()
-        options.binary_location = "/usr/bin/chromium"
-        for argument in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                         "--disable-dev-shm-usage", "--window-size=1200,800"):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        cls.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
-        cls.driver.set_script_timeout(60)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.driver.quit()
+    driver = None
 
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
@@ -374,7 +362,23 @@ class Pages(unittest.TestCase):
         self.assertIn("give one that ends with .html", run.stderr)
 
 
-if not os.path.exists("/usr/bin/chromedriver"):
-    print("skipped: no chromedriver")
+def start_chromium():
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for argument in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                     "--disable-dev-shm-usage", "--window-size=1200,800"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+try:
+    Pages.driver = start_chromium()
+except WebDriverException as error:
+    print("skipped: Chromium does not start:", error.msg)
     sys.exit(77)
-unittest.main(argv=sys.argv[:1], verbosity=2)
+Pages.driver.set_script_timeout(60)
+try:
+    unittest.main(argv=sys.argv[:1], verbosity=2)
+finally:
+    Pages.driver.quit()
