@@ -15,6 +15,13 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BIN = os.path.join(ROOT, sys.argv[1] if len(sys.argv) > 1 else "build/release/bin")
 DOCS = os.path.join(ROOT, "docs")
 
+# Table 2.1: scheme, elements, refinement operator, smoothing operator. The thesis leaves the last cell of 4-8 empty.
+CLASSES = [
+    ("catmull-clark", "quads", "primal", "approximating"), ("doo-sabin", "quads", "dual", "approximating"),
+    ("loop", "triangles", "primal", "approximating"), ("sqrt3", "triangles", "primal and edge flip", "approximating"),
+    ("butterfly", "triangles", "primal", "interpolating"), ("kobbelt", "quads", "primal", "interpolating"),
+    ("4-8", "triangles", "alternating face and vertex", ""), ("nasri-hasbini", "quads", "ternary", "approximating"),
+]
 # Each row has vertices, edges, faces, seconds or None, and the size as printed.
 TABLES = [
     ("1.1", "a cube", "cube", "catmull-clark", [
@@ -90,6 +97,13 @@ def seconds(mesh, scheme, level, folder):
     return min(runs)
 
 
+def classification():
+    takes = {scheme["name"]: scheme["takes"] for scheme in json.loads(kith("schemes", "--json"))}
+    return ["**Table 2.1**: the schemes; kith has more of them, see [schemes](schemes.md).", "",
+            "| scheme | elements | refinement | smoothing | kith takes |", "|---|---|---|---|---|",
+            *(f"| {' | '.join(row)} | {takes[row[0]]} |" for row in CLASSES), ""]
+
+
 def table(number, title, mesh, scheme, rows, folder):
     path = os.path.join(folder, mesh + ".obj")
     levels = json.loads(kith("plan", path, "-s", scheme, "-n", str(len(rows) - 1), "--json"))["levels"]
@@ -131,7 +145,7 @@ def main():
     with tempfile.TemporaryDirectory(dir="/dev/shm") as folder:
         subprocess.run([os.path.join(BIN, "example_figures"), folder], check=True, stdout=subprocess.DEVNULL)
         for one in TABLES:
-            lines += table(*one, folder)
+            lines += table(*one, folder) + (classification() if one[0] == "1.1" else [])
         lines += ["## Figures", ""]
         for one in FIGURES:
             lines += figure(*one, folder)
