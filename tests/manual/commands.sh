@@ -36,7 +36,8 @@ while IFS= read -r line; do
     *) continue ;;
     esac
     echo "$line"
-    "$root/tests/mpi/apart.sh" bash -c "$line" >log 2>&1 </dev/null || { cat log && exit 1; }
+    # Pages need a compiler for WebAssembly, which is not everywhere.
+    "$root/tests/mpi/apart.sh" bash -c "$line" >log 2>&1 </dev/null || grep "built without its page" log || { cat log && exit 1; }
     count=$((count + 1))
 done < <(find "$root/docs" "$root/README.md" -name '*.md' -exec awk '/^```sh/ {f = 1; next} /^```/ {f = 0} f' {} +)
 echo "$count commands"
