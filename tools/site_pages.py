@@ -64,8 +64,11 @@ def main(folder):
         place.parent.mkdir(parents=True, exist_ok=True)
         language = LANGUAGES.get(pathlib.Path(path).suffix, "text")
         place.write_text(f"# {path}\n\n```{language}\n{pathlib.Path(path).read_text()}```\n")
-    for path in list(pathlib.Path("docs").rglob("*.svg")) + [pathlib.Path("docs/site.css")]:
-        shutil.copy(path, out / page_of(str(path)))
+    for path in pathlib.Path("docs").rglob("*"):
+        if path.suffix in (".svg", ".png", ".css"):
+            place = out / page_of(str(path))
+            place.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(path, place)
 
 
 main(sys.argv[1])

@@ -5,8 +5,8 @@
 
 namespace kith::tool {
 
-/// The page that `kith view` writes, with "@CONTENT@" in place of the meshes. It is made when kith is built, and is empty
-/// if no compiler for WebAssembly was found.
+/// The page that `kith view` writes, with "@CONTENT@" in place of the meshes. It is made when kith is built. It is
+/// empty if no compiler for WebAssembly was found.
 extern const std::string_view viewer_page;
 
 } // namespace kith::tool
