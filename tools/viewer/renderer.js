@@ -50,7 +50,7 @@ const lineShaders = [`#version 300 es
         float forward = isEnd ? 1. : -1., side = (gl_VertexID & 2) == 2 ? 1. : -1., reach = width / 2. + 1.;
         vec4 at = isEnd ? b : a;
         at.xy += (t * forward + n * side) * reach * 2. / pixels;
-        at.z -= lift;
+        at.z += (size > 1e-3 ? (b.z - a.z) * forward * reach / size : 0.) - lift;
         gl_Position = at;
         along = vec3(isEnd ? size + reach : -reach, side * reach, size);
     }`, `#version 300 es
