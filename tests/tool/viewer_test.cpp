@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a page of `kith view` draws; view_test.py uses whole pages.
+// Tests what a page of `kith view` draws; view_test.py uses whole pages.
 #include "viewer/drawing.hpp"
 
 #include <kith/catmull_clark.hpp>
